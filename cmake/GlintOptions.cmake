@@ -1,0 +1,27 @@
+# What a build can switch, and how every target of ours is compiled.
+
+option(GLINT_BUILD_APPS "Build the command line, the scenes and the benchmarks" ${PROJECT_IS_TOP_LEVEL})
+option(GLINT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(GLINT_WERROR "Treat warnings as errors" OFF)
+set(GLINT_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined or thread")
+
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+# Linked privately by every target of ours: the language, the warnings and the floating-point contract.
+add_library(glint_build INTERFACE)
+target_compile_features(glint_build INTERFACE cxx_std_20 c_std_11)
+# -ffp-contract=off: a fused multiply-add rounds once where others round twice; the pixels must not depend on it.
+target_compile_options(glint_build INTERFACE -ffp-contract=off -fvisibility=hidden
+    $<$<COMPILE_LANGUAGE:CXX>:-fvisibility-inlines-hidden>
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wundef
+    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual>)
+if(GLINT_WERROR)
+    target_compile_options(glint_build INTERFACE -Werror)
+endif()
+if(GLINT_SANITIZE)
+    target_compile_options(glint_build INTERFACE -fsanitize=${GLINT_SANITIZE} -fno-omit-frame-pointer -g
+        -fno-sanitize-recover=all)
+    target_link_options(glint_build INTERFACE -fsanitize=${GLINT_SANITIZE})
+endif()
