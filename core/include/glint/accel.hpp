@@ -1,0 +1,59 @@
+// The acceleration structure over a scene's triangles: a kd-tree, or none.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include <glint/export.hpp>
+#include <glint/scene.hpp>
+
+namespace glint {
+
+/// How a ray finds the triangles it may meet.
+enum class AccelKind {
+    kdtree, ///< surface-area-heuristic kd-tree
+    brute,  ///< every ray tests every triangle: slow, and the oracle that the tree is tested against
+};
+
+struct AccelOptions {
+    AccelKind kind = AccelKind::kdtree;
+    unsigned threads = 0; ///< threads that build; 0 = one a processor. The tree does not depend on it
+};
+
+/// What the tree is like. All zero for AccelKind::brute except triangles, bytes and build_seconds.
+struct AccelStatistics {
+    uint32_t triangles = 0;
+    uint64_t nodes = 0;      ///< inner nodes and leaves
+    uint64_t leaves = 0;     ///< empty ones included
+    uint64_t empty_leaves = 0;
+    uint64_t references = 0; ///< triangle ids in all leaves; references / triangles says how often triangles were cut
+    uint32_t depth = 0;      ///< of the deepest leaf; a lone leaf has depth 0
+    double sah_cost = 0.0;   ///< expected cost of a random ray in triangle tests (MacDonald & Booth 1990)
+    uint64_t bytes = 0;      ///< nodes, references and the triangles laid out for tracing
+    double build_seconds = 0.0;
+};
+
+/// Immutable; any number of renderers and threads may share one. Keeps its scene alive.
+class GLINT_API Accel {
+public:
+    /// Cannot fail on a valid scene except for lack of memory (std::bad_alloc).
+    [[nodiscard]] static std::shared_ptr<const Accel> build(std::shared_ptr<const Scene> scene,
+                                                            const AccelOptions &options = {});
+    ~Accel();
+    Accel(const Accel &) = delete;
+    Accel &operator=(const Accel &) = delete;
+
+    [[nodiscard]] const Scene &scene() const;
+    [[nodiscard]] AccelKind kind() const;
+    [[nodiscard]] const AccelStatistics &statistics() const;
+
+    /// What the renderer sees; not part of the public interface.
+    struct Impl;
+    [[nodiscard]] const Impl &impl() const { return *impl_; }
+
+private:
+    explicit Accel(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace glint

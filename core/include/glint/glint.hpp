@@ -1,0 +1,10 @@
+// All of Glint's C++ interface.
+#pragma once
+
+#include <glint/accel.hpp>
+#include <glint/framebuffer.hpp>
+#include <glint/read.hpp>
+#include <glint/renderer.hpp>
+#include <glint/result.hpp>
+#include <glint/scene.hpp>
+#include <glint/version.hpp>

@@ -1,0 +1,54 @@
+// Reading scene files: SDL text and the OBJ meshes it names.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glint/export.hpp>
+#include <glint/result.hpp>
+#include <glint/scene.hpp>
+
+namespace glint {
+
+/// What a reader may do and how much it will take.
+struct ReadOptions {
+    SceneLimits limits;
+    /// Folder that no path of the scene file may leave; empty = the scene file's own folder. Paths are looked up in the
+    /// scene file's folder first, then in each folder above it up to this one.
+    std::filesystem::path scene_root;
+    /// Accept paths that are absolute or leave the scene root.
+    bool allow_outside_root = false;
+    /// Largest file read, SDL or OBJ.
+    uint64_t max_file_bytes = uint64_t{4} << 30;
+    /// Name of the dialect to read the file as; empty = what the file's own directives show.
+    std::string dialect;
+};
+
+/// A scene as it stood in a file, and what the file said besides.
+struct SceneFile {
+    std::shared_ptr<const Scene> scene;
+    std::string dialect;                    ///< name of the SDL dialect the file was read as
+    std::string dialect_reason;             ///< why: the directive, and its line, that decided
+    std::optional<std::string> output_file; ///< the `output` directive, as written
+    std::vector<Diagnostic> warnings;       ///< e.g. triangles without area that were left out
+    std::vector<std::filesystem::path> mesh_files; ///< every OBJ file that was read, each once, in order of first use
+};
+
+/// Reads an SDL file and every mesh it names. Fails with every problem of the file that could be found in one run.
+[[nodiscard]] GLINT_API Result<SceneFile> read_scene(const std::filesystem::path &file, const ReadOptions &options = {});
+
+/// A mesh as it stood in an OBJ file.
+struct MeshFile {
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<Diagnostic> warnings;
+};
+
+/// Reads the faces of a Wavefront OBJ file as one mesh: polygons are cut into triangles, negative (relative) indices
+/// resolved; groups, normals, texture coordinates and materials are checked and left aside. Triangles keep the file's order.
+[[nodiscard]] GLINT_API Result<MeshFile> read_obj(const std::filesystem::path &file, const ReadOptions &options = {});
+
+} // namespace glint

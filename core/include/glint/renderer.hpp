@@ -1,0 +1,80 @@
+// Tracing a scene into a framebuffer, on every core, watched and stoppable.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include <glint/accel.hpp>
+#include <glint/export.hpp>
+#include <glint/framebuffer.hpp>
+#include <glint/scene.hpp>
+
+namespace glint {
+
+struct RendererOptions {
+    unsigned threads = 0; ///< that trace, the calling one included; 0 = one a processor
+};
+
+struct RenderOptions {
+    /// Recursive rays in a row after the primary ray; unset = what the scene asks for.
+    std::optional<uint32_t> max_depth;
+    /// Unset = the scene's own camera.
+    std::optional<Camera> camera;
+};
+
+/// Shared by a render in progress and whoever watches it, from any thread. Progress may be read and cancel() called at
+/// any moment; cancel() stops the render within one tile's work. Use one control for one render at a time.
+class GLINT_API RenderControl {
+public:
+    void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+    [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+    /// Finished share of the picture, in [0, 1].
+    [[nodiscard]] double progress() const;
+    /// Makes the control ready for another render.
+    void reset();
+
+private:
+    friend class Renderer;
+    std::atomic<bool> cancelled_{false};
+    std::atomic<uint32_t> tiles_done_{0};
+    std::atomic<uint32_t> tile_count_{0};
+};
+
+/// What one render did.
+struct RenderStatistics {
+    double seconds = 0.0;
+    uint64_t primary_rays = 0;
+    uint64_t shadow_rays = 0;
+    uint64_t secondary_rays = 0; ///< mirrored and transmitted
+    [[nodiscard]] uint64_t rays() const { return primary_rays + shadow_rays + secondary_rays; }
+};
+
+/// Traces pictures of one scene with its own pool of threads. The pixels depend on the scene and the RenderOptions
+/// alone, never on the number of threads. One render at a time a renderer (a second call waits); renderers do not
+/// know of each other and may run at the same time, also on the same scene.
+class GLINT_API Renderer {
+public:
+    explicit Renderer(std::shared_ptr<const Accel> accel, const RendererOptions &options = {});
+    ~Renderer();
+    Renderer(const Renderer &) = delete;
+    Renderer &operator=(const Renderer &) = delete;
+
+    /// Fills the framebuffer, of any size. Fails with `cancelled` when the control says so: then the framebuffer holds
+    /// whole tiles, the rest untouched; fails with `bad_input` when the options' camera or depth is not valid.
+    [[nodiscard]] Result<RenderStatistics> render(Framebuffer &target, const RenderOptions &options = {},
+                                                  RenderControl *control = nullptr);
+
+    [[nodiscard]] unsigned threads() const;
+    [[nodiscard]] const Accel &accel() const;
+    /// Name of the instruction set whose kernel traces: "scalar", ...
+    [[nodiscard]] std::string_view isa() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace glint

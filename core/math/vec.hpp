@@ -1,0 +1,25 @@
+// Vector arithmetic whose every rounding is pinned down: the same bits on every machine and for every GLM version.
+#pragma once
+
+#include <cmath>
+
+#include <glm/vec3.hpp>
+
+namespace glint {
+
+[[nodiscard]] inline float dot(const glm::vec3 &a, const glm::vec3 &b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+
+/// Unit length; the argument is not zero and its square neither over- nor underflows.
+[[nodiscard]] inline glm::vec3 normalize(const glm::vec3 &a) {
+    const float inverse_length = 1.0f / std::sqrt(dot(a, a));
+    return {a.x * inverse_length, a.y * inverse_length, a.z * inverse_length};
+}
+
+/// The largest absolute component.
+[[nodiscard]] inline float max_abs(const glm::vec3 &a) {
+    const float x = std::abs(a.x), y = std::abs(a.y), z = std::abs(a.z);
+    const float xy = x > y ? x : y;
+    return xy > z ? xy : z;
+}
+
+} // namespace glint
