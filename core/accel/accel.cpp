@@ -1,0 +1,44 @@
+// From a scene to what rays are traced against.
+#include "accel/accel_impl.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <thread>
+
+#include "accel/tree_statistics.hpp"
+
+namespace glint {
+
+Accel::Accel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Accel::~Accel() = default;
+
+std::shared_ptr<const Accel> Accel::build(std::shared_ptr<const Scene> scene, const AccelOptions &options) {
+    assert(scene);
+    const auto start = std::chrono::steady_clock::now();
+    auto impl = std::make_unique<Impl>();
+    impl->scene = std::move(scene);
+    impl->kind = options.kind;
+    impl->triangles = TriangleData::from(*impl->scene);
+    if (options.kind == AccelKind::brute) {
+        impl->tree.bounds = impl->triangles.bounds();
+    } else {
+        const unsigned threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+        impl->tree = build_kd_tree(impl->triangles.corners, threads);
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+
+    impl->statistics = measure_tree(impl->tree);
+    impl->statistics.build_seconds = elapsed.count();
+    impl->statistics.triangles = impl->scene->triangle_count();
+    impl->statistics.bytes = impl->tree.nodes.size() * sizeof(KdNode) + impl->tree.references.size() * sizeof(uint32_t) +
+                             impl->triangles.corners.size() * sizeof(TriangleCorners) +
+                             impl->triangles.surfaces.size() * sizeof(TriangleSurface);
+    return std::shared_ptr<const Accel>(new Accel(std::move(impl)));
+}
+
+const Scene &Accel::scene() const { return *impl_->scene; }
+AccelKind Accel::kind() const { return impl_->kind; }
+const AccelStatistics &Accel::statistics() const { return impl_->statistics; }
+
+} // namespace glint

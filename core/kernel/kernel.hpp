@@ -1,0 +1,88 @@
+// The door to what is compiled per instruction set: a kernel renders one tile, from camera rays to bytes.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <glint/scene.hpp>
+
+#include "kernel/traverse.hpp"
+
+namespace glint {
+
+/// A surface as shading needs it; products of a scene's constants are taken once.
+struct SurfaceShading {
+    bool is_light;        ///< shows `emission`, whatever else is set
+    Color emission;       ///< I * (r, g, b) of a light
+    Color ambient_color;  ///< ka * Ia * C
+    Color diffuse_color;  ///< kd * C
+    float specular;       ///< ks
+    float exponent;       ///< ke
+    float reflection;     ///< kr
+    float transmission;   ///< kt
+};
+
+/// A light as shading needs it.
+struct LightShading {
+    Point position;
+    Color emission;   ///< L
+    uint32_t surface; ///< its own mesh, which does not block its shadow rays
+};
+
+/// Everything a kernel reads, by pointers that the render's caller keeps alive.
+struct KernelScene {
+    GeometryView geometry;
+    const SurfaceShading *surfaces;
+    const LightShading *lights;
+    uint32_t light_count;
+    Color background;
+    float offset_floor; ///< least length scale for moving ray origins off surfaces, in scene units
+};
+
+/// One picture to be rendered.
+struct KernelFrame {
+    Camera camera;
+    uint32_t width_px, height_px;
+    uint32_t max_depth;
+    uint8_t *rgba8;  ///< tight rows, top row first
+    float *radiance; ///< R, G, B; may be nullptr
+};
+
+/// Pixels with x0 <= x < x1 and y0 <= y < y1.
+struct Tile {
+    uint32_t x0, y0, x1, y1;
+};
+
+struct RayCounts {
+    uint64_t primary = 0, shadow = 0, secondary = 0;
+};
+
+/// A ray still to be traced, and its share in the pixel's colour.
+struct PendingRay {
+    Ray ray;
+    uint32_t depth; ///< recursive rays before it, itself included
+    float weight;
+};
+
+/// Memory that a worker reuses from tile to tile.
+struct KernelScratch {
+    std::vector<PendingRay> pending;
+    RayCounts rays;
+};
+
+using RenderTile = void (*)(const KernelScene &, const KernelFrame &, Tile, KernelScratch &);
+
+/// The kernel that is written for clarity: scalar, one ray at a time. The others are tested against it, bit by bit.
+void render_tile_scalar(const KernelScene &scene, const KernelFrame &frame, Tile tile, KernelScratch &scratch);
+
+/// A kernel and the name people choose it by.
+struct Kernel {
+    std::string_view isa;
+    RenderTile render_tile;
+};
+
+/// The fastest kernel that this machine can run.
+[[nodiscard]] Kernel best_kernel();
+
+} // namespace glint

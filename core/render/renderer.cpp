@@ -1,0 +1,99 @@
+// Hands a picture's tiles to the workers and watches over them.
+#include <glint/renderer.hpp>
+
+#include <chrono>
+#include <mutex>
+
+#include "kernel/kernel.hpp"
+#include "render/shading_tables.hpp"
+#include "render/tiling.hpp"
+#include "render/worker_pool.hpp"
+#include "scene/camera_check.hpp"
+
+namespace glint {
+
+double RenderControl::progress() const {
+    const uint32_t count = tile_count_.load(std::memory_order_relaxed);
+    return count == 0 ? 0.0 : static_cast<double>(tiles_done_.load(std::memory_order_relaxed)) / count;
+}
+
+void RenderControl::reset() {
+    cancelled_.store(false);
+    tiles_done_.store(0);
+    tile_count_.store(0);
+}
+
+struct Renderer::Impl {
+    Impl(std::shared_ptr<const Accel> accel_, const RendererOptions &options)
+        : accel(std::move(accel_)), tables(*accel), kernel(best_kernel()),
+          pool(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
+          workers(pool.threads()) {}
+
+    /// A worker's memory, on cache lines of its own: the ray counts are written all the time.
+    struct alignas(128) Worker {
+        KernelScratch scratch;
+    };
+
+    std::shared_ptr<const Accel> accel;
+    ShadingTables tables;
+    Kernel kernel;
+    WorkerPool pool;
+    std::vector<Worker> workers;
+    std::mutex one_render;
+};
+
+Renderer::Renderer(std::shared_ptr<const Accel> accel, const RendererOptions &options)
+    : impl_(std::make_unique<Impl>(std::move(accel), options)) {}
+Renderer::~Renderer() = default;
+
+unsigned Renderer::threads() const { return impl_->pool.threads(); }
+const Accel &Renderer::accel() const { return *impl_->accel; }
+std::string_view Renderer::isa() const { return impl_->kernel.isa; }
+
+Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptions &options, RenderControl *control) {
+    const std::lock_guard lock(impl_->one_render);
+    const auto start = std::chrono::steady_clock::now();
+    const Scene &scene = impl_->accel->scene();
+    if (options.camera) {
+        if (const auto problem = camera_problem(*options.camera)) return Error(ErrorCode::bad_input, *problem);
+    }
+
+    const KernelScene kernel_scene = impl_->tables.kernel_scene();
+    KernelFrame frame{};
+    frame.camera = options.camera.value_or(scene.camera());
+    frame.width_px = target.width_px();
+    frame.height_px = target.height_px();
+    frame.max_depth = options.max_depth.value_or(scene.picture().max_depth);
+    frame.rgba8 = target.rgba8();
+    frame.radiance = target.radiance();
+
+    const Tiling tiling(frame.width_px, frame.height_px);
+    RenderControl uncontrolled;
+    RenderControl &watch = control ? *control : uncontrolled;
+    watch.tiles_done_.store(0, std::memory_order_relaxed);
+    watch.tile_count_.store(tiling.count(), std::memory_order_relaxed);
+    for (Impl::Worker &worker : impl_->workers) worker.scratch.rays = {};
+
+    std::atomic<uint32_t> next_tile{0};
+    impl_->pool.run([&](unsigned worker) {
+        KernelScratch &scratch = impl_->workers[worker].scratch;
+        while (!watch.cancelled()) {
+            const uint32_t tile = next_tile.fetch_add(1, std::memory_order_relaxed);
+            if (tile >= tiling.count()) return;
+            impl_->kernel.render_tile(kernel_scene, frame, tiling.tile(tile), scratch);
+            watch.tiles_done_.fetch_add(1, std::memory_order_relaxed);
+        }
+    });
+    if (watch.tiles_done_.load() < tiling.count()) return Error(ErrorCode::cancelled, "the render was cancelled");
+
+    RenderStatistics statistics;
+    for (const Impl::Worker &worker : impl_->workers) {
+        statistics.primary_rays += worker.scratch.rays.primary;
+        statistics.shadow_rays += worker.scratch.rays.shadow;
+        statistics.secondary_rays += worker.scratch.rays.secondary;
+    }
+    statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return statistics;
+}
+
+} // namespace glint

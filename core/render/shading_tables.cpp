@@ -1,0 +1,58 @@
+// A scene's materials and lights, arranged for the kernels.
+#include "render/shading_tables.hpp"
+
+#include "accel/accel_impl.hpp"
+
+namespace glint {
+
+namespace {
+
+SurfaceShading shading_of(const Material &material, float ambient_intensity) {
+    SurfaceShading shading{};
+    shading.ambient_color = material.color * (material.ambient * ambient_intensity);
+    shading.diffuse_color = material.color * material.diffuse;
+    shading.specular = material.specular;
+    shading.exponent = material.specular_exponent;
+    shading.reflection = material.reflection;
+    shading.transmission = material.transmission;
+    return shading;
+}
+
+} // namespace
+
+ShadingTables::ShadingTables(const Accel &accel) : accel_(accel) {
+    const Scene &scene = accel.scene();
+    for (const Object &object : scene.objects()) surfaces_.push_back(shading_of(object.material, scene.ambient()));
+    for (size_t i = 0; i < scene.lights().size(); ++i) {
+        const MeshLight &light = scene.lights()[i];
+        const Color emission = light.color * light.intensity;
+        lights_.push_back({scene.light_centroids()[i], emission, static_cast<uint32_t>(surfaces_.size())});
+        SurfaceShading shading{};
+        shading.is_light = true;
+        shading.emission = emission;
+        surfaces_.push_back(shading);
+    }
+}
+
+KernelScene ShadingTables::kernel_scene() const {
+    const Accel::Impl &accel = accel_.impl();
+    KernelScene scene{};
+    scene.geometry.nodes = accel.tree.nodes.empty() ? nullptr : accel.tree.nodes.data();
+    scene.geometry.references = accel.tree.references.data();
+    scene.geometry.corners = accel.triangles.corners.data();
+    scene.geometry.surfaces = accel.triangles.surfaces.data();
+    scene.geometry.triangle_count = accel.scene->triangle_count();
+    scene.geometry.bounds = accel.tree.bounds;
+    scene.surfaces = surfaces_.data();
+    scene.lights = lights_.data();
+    scene.light_count = static_cast<uint32_t>(lights_.size());
+    scene.background = accel.scene->background();
+    // Points near the world's origin have small coordinates but no smaller errors: let no offset fall below 2^-28 of
+    // the scene's reach.
+    const Box &bounds = accel.tree.bounds;
+    const float lo = max_abs(bounds.lo), hi = max_abs(bounds.hi);
+    scene.offset_floor = 0x1p-8f * (lo > hi ? lo : hi);
+    return scene;
+}
+
+} // namespace glint

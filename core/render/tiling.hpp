@@ -1,0 +1,33 @@
+// Divides a picture into tiles.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "kernel/kernel.hpp"
+
+namespace glint {
+
+/// Square tiles in rows from the top left; those at the right and lower edge may be smaller.
+class Tiling {
+public:
+    static constexpr uint32_t tile_px = 16;
+
+    Tiling(uint32_t width_px, uint32_t height_px)
+        : width_px_(width_px), height_px_(height_px), columns_((width_px - 1) / tile_px + 1),
+          rows_((height_px - 1) / tile_px + 1) {}
+
+    /// Fits 32 bits for any picture that fits memory.
+    [[nodiscard]] uint32_t count() const { return columns_ * rows_; }
+
+    [[nodiscard]] Tile tile(uint32_t index) const {
+        const uint32_t x0 = index % columns_ * tile_px, y0 = index / columns_ * tile_px;
+        return {x0, y0, std::min(x0 + tile_px, width_px_), std::min(y0 + tile_px, height_px_)};
+    }
+
+private:
+    uint32_t width_px_, height_px_;
+    uint32_t columns_, rows_;
+};
+
+} // namespace glint

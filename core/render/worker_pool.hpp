@@ -1,0 +1,43 @@
+// Threads that wait close by: a frame takes a fraction of a millisecond, so waking them must take less.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace glint {
+
+/// A fixed set of threads that work on one job at a time together with the thread that brings it.
+///
+/// Between jobs a worker first spins for some microseconds, then sleeps. The caller never waits for a worker that has
+/// not begun: one that wakes late finds the job closed and goes back to sleep.
+class WorkerPool {
+public:
+    /// `threads` counts the caller: 1 starts no thread. Starts fewer where the system gives no more.
+    explicit WorkerPool(unsigned threads);
+    ~WorkerPool();
+    WorkerPool(const WorkerPool &) = delete;
+    WorkerPool &operator=(const WorkerPool &) = delete;
+
+    /// Threads that work on a job, the caller included.
+    [[nodiscard]] unsigned threads() const { return static_cast<unsigned>(workers_.size()) + 1; }
+
+    /// Calls work(worker) at once on the calling thread (worker 0) and on those pool threads (1 .. threads() - 1) that
+    /// are awake in time; returns when all calls have. `work` shares out its own parts and must not throw. One call of
+    /// run() at a time.
+    void run(const std::function<void(unsigned worker)> &work);
+
+private:
+    void live(unsigned worker);
+
+    std::atomic<uint32_t> epoch_{0};   // counts jobs; changing it wakes the workers
+    std::atomic<bool> open_{false};    // whether the current job takes more workers
+    std::atomic<uint32_t> inside_{0};  // workers that look at the job
+    std::atomic<bool> stopping_{false};
+    const std::function<void(unsigned)> *work_ = nullptr; // valid while open_ or inside_ > 0
+    std::vector<std::jthread> workers_;
+};
+
+} // namespace glint
