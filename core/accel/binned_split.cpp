@@ -29,9 +29,12 @@ Split find_binned_split(std::span<const Reference> references, const Box &cell) 
         const float bin = (position - cell.lo[axis]) * scale[axis];
         return bin >= bin_count - 1 ? bin_count - 1 : bin > 0.0f ? static_cast<int>(bin) : 0; // NaN lands in 0
     };
+    std::array<uint64_t, 3> in_low_face{}, in_high_face{};
     for (const Reference &reference : references) {
         occupied.extend(reference.bounds);
         for (int axis = 0; axis < 3; ++axis) {
+            in_low_face[axis] += reference.bounds.hi[axis] == cell.lo[axis];
+            in_high_face[axis] += reference.bounds.lo[axis] == cell.hi[axis];
             ++bins[axis].begin[bin_of(axis, reference.bounds.lo[axis])];
             ++bins[axis].end[bin_of(axis, reference.bounds.hi[axis])];
         }
@@ -40,6 +43,8 @@ Split find_binned_split(std::span<const Reference> references, const Box &cell) 
     BestSplit best(cell);
     const uint64_t count = references.size();
     for (int axis = 0; axis < 3; ++axis) {
+        best.offer(axis, cell.lo[axis], 0, in_low_face[axis], count - in_low_face[axis]);
+        best.offer(axis, cell.hi[axis], count - in_high_face[axis], in_high_face[axis], 0);
         best.offer(axis, occupied.lo[axis], 0, 0, count);
         best.offer(axis, occupied.hi[axis], count, 0, 0);
         uint64_t begun = 0, ended = 0;

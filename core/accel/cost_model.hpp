@@ -11,12 +11,12 @@ struct CostModel {
     /// Of walking through an inner node.
     static constexpr double traversal = 1.0;
     /// Of one group of triangle tests in a leaf.
-    static constexpr double intersection = 1.5;
+    static constexpr double intersection = 0.7;
     /// Triangles that a leaf tests as one group: a partly filled group costs as much as a full one.
     static constexpr uint32_t leaf_group = 1;
     /// A split that cuts off empty space ends rays early, which the heuristic's "rays never stop" does not see: its
     /// cost is scaled by this.
-    static constexpr double empty_space_factor = 0.8;
+    static constexpr double empty_space_factor = 0.9;
 
     [[nodiscard]] static double leaf(uint64_t triangle_count) {
         return intersection * static_cast<double>((triangle_count + leaf_group - 1) / leaf_group * leaf_group);

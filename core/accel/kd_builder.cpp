@@ -79,6 +79,13 @@ private:
         lower.box = split.lower_cell(cell.box);
         upper.box = split.upper_cell(cell.box);
         lower.depth = upper.depth = cell.depth + 1;
+        size_t lower_count = 0, upper_count = 0;
+        for (const Reference &reference : cell.references) {
+            lower_count += split.goes_lower(reference.bounds);
+            upper_count += split.goes_upper(reference.bounds);
+        }
+        lower.references.reserve(lower_count);
+        upper.references.reserve(upper_count);
         for (const Reference &reference : cell.references) {
             const bool to_lower = split.goes_lower(reference.bounds);
             const bool to_upper = split.goes_upper(reference.bounds);

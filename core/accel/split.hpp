@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "accel/cost_model.hpp"
 #include "accel/reference.hpp"
 
 namespace glint {
@@ -13,7 +14,7 @@ namespace glint {
 /// A plane and what the surface area heuristic expects of it.
 struct Split {
     double cost = std::numeric_limits<double>::infinity(); ///< infinite = there is no plane to split at
-    float position = 0.0f;                                 ///< strictly inside the cell
+    float position = 0.0f;                                 ///< inside the cell, or a face of it: see BestSplit
     int axis = 0;
     bool planar_to_lower = true; ///< side of triangles that lie in the plane
 
@@ -33,18 +34,39 @@ class BestSplit {
 public:
     explicit BestSplit(const Box &cell);
 
-    /// Offers a plane with the number of triangles below, in and above it. Planes outside the open cell are ignored.
-    void offer(int axis, float position, uint64_t below, uint64_t planar, uint64_t above);
+    /// Offers a plane with the number of triangles below, in and above it. A plane in one of the cell's own faces may
+    /// only set apart the triangles that lie in it, in a flat cell; planes outside are ignored.
+    void offer(int axis, float position, uint64_t below, uint64_t planar, uint64_t above) {
+        const Axis &a = axes_[axis];
+        if (position < a.lo || position > a.hi || a.lo == a.hi) return;
+        const bool lowest = position == a.lo, highest = position == a.hi;
+        if ((lowest || highest) && planar == 0) return;
+        const double lower = a.cap + (double(position) - a.lo) * a.girth;
+        const double upper = a.cap + (double(a.hi) - position) * a.girth;
+        if (!highest) accept(axis, position, CostModel::split(lower, below + planar, upper, above), true);
+        if (!lowest && planar > 0) {
+            accept(axis, position, CostModel::split(lower, below, upper, above + planar), false);
+        }
+    }
 
     [[nodiscard]] const Split &best() const { return best_; }
 
 private:
-    Box cell_;
-    double inverse_area_;
+    /// A slice of the cell across an axis has a surface of cap + girth * thickness, as a share of the cell's.
+    struct Axis {
+        float lo, hi;
+        double cap, girth;
+    };
+
+    void accept(int axis, float position, double cost, bool planar_to_lower) {
+        if (cost < best_.cost) best_ = {cost, position, axis, planar_to_lower};
+    }
+
+    Axis axes_[3];
     Split best_;
 };
 
-/// The best of evenly spaced planes and of the planes that cut off empty space; O(n).
+/// The best of evenly spaced planes, of the planes that cut off empty space and of the cell's faces; O(n).
 [[nodiscard]] Split find_binned_split(std::span<const Reference> references, const Box &cell);
 
 /// The best of all planes through a triangle's boundary: exact, O(n log n).
