@@ -6,6 +6,8 @@
 namespace glint::test {
 
 /// Valid while the accel lives.
-[[nodiscard]] inline GeometryView geometry_of(const Accel &accel) { return ShadingTables(accel).kernel_scene().geometry; }
+[[nodiscard]] inline GeometryView geometry_of(const Accel &accel) {
+    return ShadingTables(accel).kernel_scene().geometry;
+}
 
 } // namespace glint::test

@@ -30,8 +30,8 @@ template <typename Height> Mesh grid(int cells, Height &&height) {
     for (int j = 0; j <= cells; ++j) {
         for (int i = 0; i <= cells; ++i) {
             const auto n = static_cast<float>(cells);
-            mesh.positions.push_back({2.0f * static_cast<float>(i) / n - 1.0f, 2.0f * static_cast<float>(j) / n - 1.0f,
-                                      height(i, j)});
+            mesh.positions.push_back(
+                {2.0f * static_cast<float>(i) / n - 1.0f, 2.0f * static_cast<float>(j) / n - 1.0f, height(i, j)});
         }
     }
     const auto at = [&](int i, int j) { return static_cast<uint32_t>(j * (cells + 1) + i); };
@@ -49,8 +49,7 @@ template <typename Height> Mesh grid(int cells, Height &&height) {
 Mesh cube() {
     Mesh mesh;
     for (int corner = 0; corner < 8; ++corner) {
-        mesh.positions.push_back(
-            {corner & 1 ? 1.0f : -1.0f, corner & 2 ? 1.0f : -1.0f, corner & 4 ? 1.0f : -1.0f});
+        mesh.positions.push_back({corner & 1 ? 1.0f : -1.0f, corner & 2 ? 1.0f : -1.0f, corner & 4 ? 1.0f : -1.0f});
     }
     mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
@@ -63,15 +62,26 @@ Mesh tetrahedron() {
 
 Mesh icosphere(int subdivisions) {
     const float g = (1.0f + std::sqrt(5.0f)) / 2.0f;
-    Mesh mesh{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-               {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}},
-              {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2},
-               {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5},
-               {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+    Mesh mesh{{{-1, g, 0},
+               {1, g, 0},
+               {-1, -g, 0},
+               {1, -g, 0},
+               {0, -1, g},
+               {0, 1, g},
+               {0, -1, -g},
+               {0, 1, -g},
+               {g, 0, -1},
+               {g, 0, 1},
+               {-g, 0, -1},
+               {-g, 0, 1}},
+              {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+               {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+               {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
     for (int step = 0; step < subdivisions; ++step) {
         std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
         const auto middle = [&](uint32_t a, uint32_t b) {
-            const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(mesh.positions.size()));
+            const auto [entry, is_new] =
+                middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(mesh.positions.size()));
             if (is_new) mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]) * 0.5f);
             return entry->second;
         };

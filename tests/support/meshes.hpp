@@ -10,18 +10,18 @@
 
 namespace glint::test {
 
-[[nodiscard]] Mesh cube();                          ///< axis-parallel, [-1, 1]^3; closed
-[[nodiscard]] Mesh tetrahedron();                   ///< closed
-[[nodiscard]] Mesh icosphere(int subdivisions);     ///< 20 * 4^n triangles, radius 1; closed
-[[nodiscard]] Mesh torus(int around, int across);   ///< not convex; closed
-[[nodiscard]] Mesh terrain(int cells);              ///< height field on a regular grid
-[[nodiscard]] Mesh flat_grid(int cells);            ///< all in the plane z = 0
-[[nodiscard]] Mesh soup(int triangles);             ///< random triangles through each other
-[[nodiscard]] Mesh slivers(int triangles);          ///< needles a thousand times longer than wide, round one corner
-[[nodiscard]] Mesh stacked_copies(int copies);      ///< the same square several times: nothing but ties
-[[nodiscard]] Mesh small_in_large();                ///< a millimetre sphere inside a kilometre cube; closed
-[[nodiscard]] Mesh moved(Mesh mesh, Vector by);     ///< rounds to the floats that exist out there
-[[nodiscard]] Mesh turned(Mesh mesh);               ///< by angles that leave no edge parallel to an axis
+[[nodiscard]] Mesh cube();                        ///< axis-parallel, [-1, 1]^3; closed
+[[nodiscard]] Mesh tetrahedron();                 ///< closed
+[[nodiscard]] Mesh icosphere(int subdivisions);   ///< 20 * 4^n triangles, radius 1; closed
+[[nodiscard]] Mesh torus(int around, int across); ///< not convex; closed
+[[nodiscard]] Mesh terrain(int cells);            ///< height field on a regular grid
+[[nodiscard]] Mesh flat_grid(int cells);          ///< all in the plane z = 0
+[[nodiscard]] Mesh soup(int triangles);           ///< random triangles through each other
+[[nodiscard]] Mesh slivers(int triangles);        ///< needles a thousand times longer than wide, round one corner
+[[nodiscard]] Mesh stacked_copies(int copies);    ///< the same square several times: nothing but ties
+[[nodiscard]] Mesh small_in_large();              ///< a millimetre sphere inside a kilometre cube; closed
+[[nodiscard]] Mesh moved(Mesh mesh, Vector by);   ///< rounds to the floats that exist out there
+[[nodiscard]] Mesh turned(Mesh mesh);             ///< by angles that leave no edge parallel to an axis
 
 /// One object with this mesh, no light, default camera.
 [[nodiscard]] std::shared_ptr<const Scene> scene_of(Mesh mesh);

@@ -1,0 +1,286 @@
+// The pass over an OBJ file's text that lets tinyobjloader see only what it reads rightly.
+#include "mesh/obj_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <glint/scene.hpp>
+
+#include "mesh/obj_lines.hpp"
+#include "text/number.hpp"
+#include "text/words.hpp"
+
+namespace glint {
+
+namespace {
+
+/// Keywords of the format that say nothing about the surface: names, materials, smoothing, levels of detail.
+constexpr std::array<std::string_view, 15> quiet_keywords = {
+    "g",     "o",        "s",        "mg",  "usemtl",     "mtllib",    "usemap", "maplib",
+    "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "call"};
+
+/// From here on a decimal exponent, or a token's length, is beyond what tinyobjloader computes with.
+constexpr int far_exponent = 300;
+
+/// Lines of one kind that are left out, told of by one warning at the first of them.
+struct LeftOut {
+    uint64_t lines = 0;
+    Place first;
+    std::string source_line; ///< a copy, because the text changes
+    std::string keyword;
+
+    void add(const Place &place, std::string_view keyword_) {
+        if (lines++ > 0) return;
+        first = place;
+        source_line = std::string(place.source_line.substr(0, 1024));
+        keyword = std::string(keyword_);
+    }
+
+    [[nodiscard]] Place place() const { return {first.line, first.column, source_line}; }
+};
+
+class ObjChecker {
+public:
+    ObjChecker(std::span<char> text, Problems &problems) : text_(text), problems_(problems) {}
+
+    ObjCounts run() {
+        count_elements();
+        ObjLines lines(text_);
+        while (lines.next()) check_line(lines);
+        tell_of_left_out();
+        counts_.vertices = so_far_.vertices;
+        counts_.texcoords = so_far_.texcoords;
+        counts_.normals = so_far_.normals;
+        return counts_;
+    }
+
+private:
+    /// One word of the current line, without the comment that may follow.
+    struct Word {
+        char *begin;
+        char *end;
+        [[nodiscard]] std::string_view text() const { return {begin, static_cast<size_t>(end - begin)}; }
+    };
+
+    static char *skip_blanks(char *at, const char *end) {
+        while (at != end && is_blank(*at)) ++at;
+        return at;
+    }
+
+    static bool ends_word(const char *at, const char *end) { return at == end || is_blank(*at) || *at == '#'; }
+
+    static Word word_at(char *begin, const char *end) {
+        char *at = begin;
+        while (!ends_word(at, end)) ++at;
+        return {begin, at};
+    }
+
+    /// A face may name a vertex that only comes later, so the totals are needed before the first face is checked.
+    void count_elements() {
+        ObjLines lines(text_);
+        while (lines.next()) {
+            const char *at = skip_blanks(lines.begin(), lines.end());
+            if (lines.end() - at < 2 || *at != 'v') continue;
+            if (is_blank(at[1])) {
+                ++counts_.vertices;
+            } else if (lines.end() - at > 2 && is_blank(at[2])) {
+                if (at[1] == 't') ++counts_.texcoords;
+                if (at[1] == 'n') ++counts_.normals;
+            }
+        }
+    }
+
+    void check_line(ObjLines &lines) {
+        char *const keyword_begin = skip_blanks(lines.begin(), lines.end());
+        if (keyword_begin == lines.end() || *keyword_begin == '#') return;
+        lines.join();
+        lines_ = &lines;
+        const Word keyword = word_at(keyword_begin, lines.end());
+        if (keyword.text() == "v") {
+            check_numbers(
+                keyword, true, [](uint64_t n) { return n == 3 || n == 4 || n == 6 || n == 7; },
+                "3 coordinates, and perhaps a weight and a colour (4, 6 or 7 numbers in all)");
+            ++so_far_.vertices;
+        } else if (keyword.text() == "f") {
+            check_face(keyword);
+        } else {
+            check_ignored(keyword);
+            *keyword.begin = '#';
+        }
+    }
+
+    void check_ignored(const Word &keyword) {
+        const std::string_view name = keyword.text();
+        if (name == "vn") {
+            check_numbers(
+                keyword, false, [](uint64_t n) { return n == 3; }, "3 numbers");
+            ++so_far_.normals;
+        } else if (name == "vt") {
+            check_numbers(
+                keyword, false, [](uint64_t n) { return n >= 1 && n <= 3; }, "1 to 3 numbers");
+            ++so_far_.texcoords;
+        } else if (name == "l" || name == "p") {
+            lines_and_points_.add(lines_->place(keyword.begin), name);
+        } else if (std::find(quiet_keywords.begin(), quiet_keywords.end(), name) == quiet_keywords.end()) {
+            unknown_.add(lines_->place(keyword.begin), name);
+        }
+    }
+
+    void error(const char *at, std::string message, std::string hint = {}, ErrorCode code = ErrorCode::bad_input) {
+        problems_.error(lines_->place(at), std::move(message), std::move(hint), code);
+    }
+
+    void blank_comment(char *at) { std::fill(at, lines_->end(), ' '); }
+
+    template <typename IsRightCount>
+    void check_numbers(const Word &keyword, bool coordinates, IsRightCount is_right_count, std::string_view wanted) {
+        const char *const end = lines_->end();
+        char *at = skip_blanks(keyword.end, end);
+        uint64_t count = 0;
+        for (; at != end && *at != '#'; at = skip_blanks(at, end)) {
+            const NumberShape shape = scan_number(at, end);
+            const Word word = {at,
+                               shape.valid && ends_word(shape.end, end) ? at + (shape.end - at) : word_at(at, end).end};
+            const bool plain = shape.valid && word.end == shape.end && shape.magnitude <= 12 &&
+                               shape.exponent > -far_exponent && word.end - word.begin < far_exponent;
+            if (!plain) check_odd_number(word, coordinates && count < 3);
+            ++count;
+            at = word.end;
+        }
+        blank_comment(at);
+        if (!is_right_count(count)) {
+            error(keyword.begin, words(in_quotes(keyword.text()), " takes ", wanted, ", found ", count));
+        }
+    }
+
+    /// A number that is wrong, large, or written so that tinyobjloader would lose it: the last kind is written anew.
+    void check_odd_number(const Word &word, bool coordinate) {
+        if (problems_.full()) return error(word.begin, {});
+        float value = 0.0f;
+        if (auto fault = read_number(word.text(), value)) {
+            return error(word.begin, std::move(fault->message), std::move(fault->hint));
+        }
+        if (coordinate && !(std::abs(value) <= max_coordinate)) {
+            return error(word.begin, words(in_quotes(word.text()), " is too far out"),
+                         "coordinates reach from -1e12 to 1e12");
+        }
+        std::array<char, 32> shortest{};
+        const auto written = std::to_chars(shortest.data(), shortest.data() + shortest.size(), value);
+        if (written.ptr - shortest.data() > word.end - word.begin) return; // cannot be one of the last kind
+        std::fill(std::copy(shortest.data(), written.ptr, word.begin), word.end, ' ');
+    }
+
+    void check_face(const Word &keyword) {
+        const char *const end = lines_->end();
+        char *at = skip_blanks(keyword.end, end);
+        uint64_t corners = 0;
+        for (; at != end && *at != '#'; at = skip_blanks(at, end)) {
+            at = check_corner(at, end);
+            ++corners;
+        }
+        blank_comment(at);
+        if (corners < 3) {
+            return error(keyword.begin, words("a face needs at least 3 corners, found ", corners));
+        }
+        if (corners > max_face_corners) {
+            error(keyword.begin, words("the face has ", corners, " corners, the limit is ", max_face_corners), {},
+                  ErrorCode::limit_exceeded);
+        }
+        ++counts_.faces;
+        counts_.triangles += corners - 2;
+    }
+
+    /// Checks `v`, `v/vt`, `v//vn` or `v/vt/vn`, returns its end. Nothing behind a slash means that there is none.
+    char *check_corner(char *begin, const char *end) {
+        char *at = begin;
+        if (!check_index(at, end, counts_.vertices, so_far_.vertices, "vertex", "vertices")) {
+            return corner_error(begin, end);
+        }
+        if (at != end && *at == '/') {
+            ++at;
+            if (!is_part_end(at, end) && !check_index(at, end, counts_.texcoords, so_far_.texcoords,
+                                                      "texture coordinate", "texture coordinates")) {
+                return corner_error(begin, end);
+            }
+            if (at != end && *at == '/') {
+                ++at;
+                if (!is_part_end(at, end) &&
+                    !check_index(at, end, counts_.normals, so_far_.normals, "normal", "normals")) {
+                    return corner_error(begin, end);
+                }
+            }
+        }
+        return ends_word(at, end) ? at : corner_error(begin, end);
+    }
+
+    static bool is_part_end(const char *at, const char *end) { return ends_word(at, end) || *at == '/'; }
+
+    char *corner_error(char *begin, const char *end) {
+        const Word word = word_at(begin, end);
+        if (problems_.full()) return error(begin, {}), word.end;
+        error(begin, words(in_quotes(word.text()), " is not a face's corner"),
+              "expected whole numbers as in 1, 1/2, 1//3 or 1/2/3");
+        return word.end;
+    }
+
+    /// Walks over a whole number and checks its range. False where there is no whole number.
+    bool check_index(char *&at, const char *end, uint64_t total, uint64_t so_far, const char *one, const char *many) {
+        const char *const begin = at;
+        const bool negative = at != end && *at == '-';
+        if (at != end && (*at == '-' || *at == '+')) ++at;
+        const char *const digits = at;
+        uint64_t index = 0;
+        while (at != end && *at >= '0' && *at <= '9') {
+            if (index < uint64_t{1} << 40) index = index * 10 + static_cast<uint64_t>(*at - '0');
+            ++at;
+        }
+        if (at == digits || !is_part_end(at, end)) return false;
+        if (index >= 1 && index <= (negative ? so_far : total)) return true;
+        if (problems_.full()) return error(begin, {}), true;
+        const std::string_view digits_shown(begin, std::min<size_t>(size_t(at - begin), 24));
+        const std::string found = words(one, ' ', digits_shown, " does not exist: ");
+        if (index == 0) {
+            error(begin, words(found, "OBJ counts from 1"));
+        } else if (negative) {
+            error(begin, words(found, so_far, ' ', so_far == 1 ? one : many, so_far == 1 ? " comes" : " come",
+                               " before this line"));
+        } else {
+            error(begin, words(found, "the file has ", total, ' ', total == 1 ? one : many));
+        }
+        return true;
+    }
+
+    void tell_of_left_out() {
+        if (lines_and_points_.lines > 0) {
+            problems_.warn(lines_and_points_.place(),
+                           words(counted(lines_and_points_.lines, "line"), " of points or lines (",
+                                 in_quotes(lines_and_points_.keyword),
+                                 " first): they have no surface and are left out"));
+        }
+        if (unknown_.lines > 0) {
+            problems_.warn(unknown_.place(), words(counted(unknown_.lines, "line"), " of a kind that is not read (",
+                                                   in_quotes(unknown_.keyword), " first)"));
+        }
+    }
+
+    std::span<char> text_;
+    Problems &problems_;
+    ObjCounts counts_; ///< vertices, texture coordinates and normals: of the whole file
+    ObjCounts so_far_; ///< before the current line
+    ObjLines *lines_ = nullptr;
+    LeftOut lines_and_points_;
+    LeftOut unknown_;
+};
+
+} // namespace
+
+ObjCounts check_obj(std::span<char> text, Problems &problems) {
+    return ObjChecker(text, problems).run();
+}
+
+} // namespace glint

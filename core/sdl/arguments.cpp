@@ -1,0 +1,50 @@
+// The arguments of one directive, handed to its handler with checks and places.
+#include "sdl/arguments.hpp"
+
+#include <array>
+#include <charconv>
+#include <limits>
+
+#include "text/number.hpp"
+#include "text/words.hpp"
+
+namespace glint {
+
+namespace {
+
+std::string shortest(float value) {
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+} // namespace
+
+float Arguments::number(size_t i, float lowest, float highest) const {
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    float value = none;
+    if (const auto fault = read_number(word(i), value)) {
+        error(i, words(form_.argument(i), ": ", fault->message), fault->hint);
+        return none;
+    }
+    if (value >= lowest && value <= highest) return value;
+    error(i, words(form_.argument(i), " is ", in_quotes(word(i)), ", expected a number from ", shortest(lowest), " to ",
+                   shortest(highest)));
+    return none;
+}
+
+glm::vec3 Arguments::numbers(size_t i, float lowest, float highest) const {
+    const float x = number(i, lowest, highest);
+    const float y = number(i + 1, lowest, highest);
+    const float z = number(i + 2, lowest, highest);
+    return {x, y, z};
+}
+
+uint64_t Arguments::whole_number(size_t i, uint64_t otherwise) const {
+    uint64_t value = 0;
+    const auto fault = read_whole_number(word(i), value);
+    if (!fault) return value;
+    error(i, words(form_.argument(i), ": ", fault->message), fault->hint);
+    return otherwise;
+}
+
+} // namespace glint

@@ -1,0 +1,111 @@
+// The SDL dialects, and the table of every directive that any of them has.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "sdl/lexer.hpp"
+
+namespace glint {
+
+/// The members of the SDL family, each named after where it was first seen.
+enum class Dialect : uint8_t { mobile2013, path2005, ray2005, cg_path_tracer, raycife };
+
+inline constexpr size_t dialect_count = 5;
+
+/// As written behind the `dialect` directive.
+[[nodiscard]] std::string_view dialect_name(Dialect dialect);
+[[nodiscard]] std::optional<Dialect> dialect_named(std::string_view name);
+/// Whether this version has the handlers that the dialect's own directives need.
+[[nodiscard]] bool is_supported(Dialect dialect);
+
+/// Some of the dialects.
+class DialectSet {
+public:
+    constexpr DialectSet() = default;
+    constexpr DialectSet(Dialect dialect) : bits_(static_cast<uint8_t>(1u << static_cast<unsigned>(dialect))) {}
+
+    [[nodiscard]] static constexpr DialectSet all() { return from_bits((1u << dialect_count) - 1); }
+
+    [[nodiscard]] constexpr bool has(Dialect dialect) const { return (bits_ & DialectSet(dialect).bits_) != 0; }
+    [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
+    /// The only member, where there is just one.
+    [[nodiscard]] std::optional<Dialect> only() const;
+    /// "mobile2013 or path2005".
+    [[nodiscard]] std::string names() const;
+
+    friend constexpr DialectSet operator|(DialectSet a, DialectSet b) { return from_bits(unsigned{a.bits_} | b.bits_); }
+    friend constexpr DialectSet operator&(DialectSet a, DialectSet b) { return from_bits(unsigned{a.bits_} & b.bits_); }
+    friend constexpr bool operator==(DialectSet a, DialectSet b) = default;
+
+private:
+    static constexpr DialectSet from_bits(unsigned bits) {
+        DialectSet set;
+        set.bits_ = static_cast<uint8_t>(bits);
+        return set;
+    }
+
+    uint8_t bits_ = 0;
+};
+
+class Arguments;
+struct SceneDraft;
+
+/// What a directive does: reads its arguments and adds to the draft. Faults are reported through the arguments.
+using DirectiveHandler = void (*)(const Arguments &arguments, SceneDraft &draft);
+
+/// A row of the table: one form of a directive, in some dialects.
+class DirectiveForm {
+public:
+    /// Settings stand once in a file; lights and objects as often as wanted, and at least once.
+    enum class Role { setting, light, object };
+
+    /// A keyword and 25 arguments would do for the longest form.
+    static constexpr size_t most_words = 28;
+
+    /// `usage` is the keyword, then one word for each argument; an argument in [brackets] may be missing. The words
+    /// name the arguments in messages. "file" and "file.obj" stand for paths.
+    constexpr DirectiveForm(std::string_view usage_, DialectSet dialects_, DialectSet evidence_,
+                            DirectiveHandler handler_, Role role_ = Role::setting)
+        : usage(usage_), dialects(dialects_), evidence(evidence_), handler(handler_), role(role_) {
+        std::string_view rest = usage;
+        while (!rest.empty()) {
+            const size_t end = rest.find(' ') < rest.size() ? rest.find(' ') : rest.size();
+            words_[word_count_++] = rest.substr(0, end);
+            rest.remove_prefix(end < rest.size() ? end + 1 : end);
+        }
+    }
+
+    std::string_view usage;
+    DialectSet dialects;      ///< that have the form
+    DialectSet evidence;      ///< that a file with such a line belongs to; empty where the line says nothing about it
+    DirectiveHandler handler; ///< nullptr: known, and not done by this version
+    Role role;
+
+    [[nodiscard]] constexpr std::string_view keyword() const { return words_[0]; }
+    [[nodiscard]] constexpr size_t most_arguments() const { return word_count_ - 1; }
+    [[nodiscard]] size_t least_arguments() const;
+    /// The name of argument i, from 0.
+    [[nodiscard]] constexpr std::string_view argument(size_t i) const { return words_[i + 1]; }
+    [[nodiscard]] bool is_path(size_t i) const { return argument(i) == "file" || argument(i) == "file.obj"; }
+
+    /// Whether the line has this form: the count of arguments, and a path where a path is expected first.
+    [[nodiscard]] bool fits(const Line &line) const;
+
+private:
+    std::array<std::string_view, most_words> words_{};
+    size_t word_count_ = 0;
+};
+
+/// The table, forms of one keyword side by side.
+[[nodiscard]] std::span<const DirectiveForm> directive_forms();
+
+/// The forms that begin with the keyword, in any case of letters; none where it is not known.
+[[nodiscard]] std::span<const DirectiveForm> forms_of(std::string_view keyword);
+
+} // namespace glint

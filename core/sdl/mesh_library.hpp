@@ -1,0 +1,43 @@
+// The meshes of one scene file, each read once.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <glint/read.hpp>
+
+#include "sdl/asset_paths.hpp"
+#include "text/problems.hpp"
+
+namespace glint {
+
+/// Reads OBJ files on demand and remembers them, by what they are called and by what they are.
+class MeshLibrary {
+public:
+    MeshLibrary(AssetPaths paths, const ReadOptions &options) : paths_(std::move(paths)), options_(options) {}
+
+    /// The mesh that a scene calls `name` at `place`; nullptr where it cannot be had. Why is reported at the first use.
+    [[nodiscard]] std::shared_ptr<const Mesh> find(std::string_view name, const Place &place, Problems &problems);
+
+    [[nodiscard]] const AssetPaths &paths() const { return paths_; }
+    /// Every file that was read, in order of first use.
+    [[nodiscard]] std::vector<std::filesystem::path> take_files() { return std::move(files_); }
+
+private:
+    [[nodiscard]] std::shared_ptr<const Mesh> look_up(const std::string &name, const Place &place, Problems &problems);
+    [[nodiscard]] std::shared_ptr<const Mesh> read(const std::filesystem::path &path, const Place &place,
+                                                   Problems &problems);
+
+    AssetPaths paths_;
+    const ReadOptions &options_;
+    std::unordered_map<std::string, std::shared_ptr<const Mesh>> by_name_;
+    std::map<std::filesystem::path, std::shared_ptr<const Mesh>> by_file_; ///< keys without symbolic links
+    std::vector<std::filesystem::path> files_;
+};
+
+} // namespace glint

@@ -1,0 +1,96 @@
+// The strict numbers of scene files: read the same in every locale, never a surprise, each fault with its words.
+#include "text/number.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <system_error>
+
+#include "text/words.hpp"
+
+namespace glint {
+
+namespace {
+
+bool is_number(std::string_view text) {
+    const NumberShape shape = scan_number(text.data(), text.data() + text.size());
+    return shape.valid && shape.end == text.data() + text.size();
+}
+
+std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
+    std::string result;
+    while (!text.empty()) {
+        const bool here = text.starts_with(from);
+        result += here ? to : text.substr(0, 1);
+        text.remove_prefix(here ? from.size() : 1);
+    }
+    return result;
+}
+
+/// Whether the token is one of the ways to write "not a number" or "infinity" (those of C, and of MSVC: "1.#INF").
+bool is_not_finite(std::string_view token) {
+    std::string word(token);
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.erase(0, 1);
+    return word == "inf" || word == "infinity" || word == "nan" || word.starts_with("nan(") || word.starts_with("1.#");
+}
+
+/// Finds words for a token that is no number. Slow, and for people.
+NumberFault explain(std::string_view token) {
+    if (is_not_finite(token)) return {words(in_quotes(token), " is not a finite number"), {}};
+    const std::string found = words(in_quotes(token), " is not a number");
+
+    const std::string with_points = replaced(token, ",", ".");
+    if (with_points != token) {
+        if (is_number(with_points)) return {found, words("write the decimal point as '.': ", with_points)};
+        return {found, "separate numbers with blanks, without commas"};
+    }
+    // U+2212 MINUS SIGN and U+2013 EN DASH come along when numbers are copied from a formatted page.
+    const std::string with_minus = replaced(replaced(token, "\u2212", "-"), "\u2013", "-");
+    if (with_minus != token && is_number(with_minus)) return {found, words("write the minus as '-': ", with_minus)};
+
+    const NumberShape shape = scan_number(token.data(), token.data() + token.size());
+    const std::string_view number(token.data(), static_cast<size_t>(shape.end - token.data()));
+    const std::string_view rest = token.substr(number.size());
+    if (!shape.valid || rest.empty()) return {found, {}};
+    if ((rest[0] == '-' || rest[0] == '+' || rest[0] == '.') && is_number(rest)) {
+        return {words(found, ": it looks like two"), words("put a blank between: ", number, ' ', rest)};
+    }
+    return {words(found, ": ", in_quotes(rest), " follows ", in_quotes(number)), {}};
+}
+
+} // namespace
+
+std::optional<NumberFault> read_number(std::string_view token, float &value) {
+    const char *const end = token.data() + token.size();
+    const NumberShape shape = scan_number(token.data(), end);
+    if (!shape.valid || shape.end != end) return explain(token);
+
+    // from_chars takes no plus sign.
+    const char *const begin = token.data() + (token[0] == '+' ? 1 : 0);
+    const std::from_chars_result result = std::from_chars(begin, end, value);
+    if (result.ec != std::errc::result_out_of_range) return std::nullopt;
+    // Too small is not a fault. What does not fit a double either is beyond 10^300 or below 10^-300.
+    double wide = 0.0;
+    const bool fits_double = std::from_chars(begin, end, wide).ec == std::errc();
+    const bool is_small = fits_double ? wide > -1.0 && wide < 1.0 : shape.magnitude < 300;
+    if (!is_small) return NumberFault{words(in_quotes(token), " is too large"), "the largest number is 3.4e38"};
+    value = 0.0f;
+    return std::nullopt;
+}
+
+std::optional<NumberFault> read_whole_number(std::string_view token, uint64_t &value) {
+    const std::string_view digits = token.substr(token.starts_with('+') ? 1 : 0);
+    const bool all_digits = std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!digits.empty() && all_digits) {
+        if (std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc()) {
+            value = std::numeric_limits<uint64_t>::max();
+        }
+        return std::nullopt;
+    }
+    if (is_number(token)) return NumberFault{words(in_quotes(token), " is not a whole number from 0 up"), {}};
+    return explain(token);
+}
+
+} // namespace glint
