@@ -1,0 +1,132 @@
+// glint bench table: the 2013 paper's timing table, measured on this machine.
+#include <array>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <glint/glint.hpp>
+
+#include "bench/report.hpp"
+#include "bench/surface_choice.hpp"
+#include "bench/table.hpp"
+#include "choice_option.hpp"
+#include "command.hpp"
+#include "console.hpp"
+#include "failure.hpp"
+#include "interrupt.hpp"
+#include "number_options.hpp"
+#include "paper_scene.hpp"
+#include "scene_options.hpp"
+
+namespace glint::cli {
+namespace {
+
+constexpr const char *examples =
+    R"(A frame is rendered, uploaded as a texture (then glFinish) and drawn on two triangles (then
+glFinish). After each row the surface is read back: a byte that is not what was rendered
+fails the run. The paper's figures are shown beside those of its own scene, cornell.sdl.
+
+Examples:
+  glint bench table
+  glint bench table --sizes 512 --depths 0,1,2 --seconds 5 --json table.json
+  glint bench table --scene hall.sdl --surface none --threads 1)";
+
+struct BenchTableOptions {
+    SceneOptions scene;
+    bench::TableOptions table;
+    std::optional<uint32_t> threads;
+    bench::SurfaceKind surface = bench::SurfaceKind::egl;
+    std::string json_file, csv_file, markdown_file;
+};
+
+ExitCode write_reports(const BenchTableOptions &options, const bench::Table &table) {
+    using Report = std::pair<const std::string &, std::string (*)(const bench::Table &)>;
+    const std::array reports{Report{options.json_file, &bench::to_json}, Report{options.csv_file, &bench::to_csv},
+                             Report{options.markdown_file, &bench::to_markdown}};
+    ExitCode code = ExitCode::ok;
+    for (const auto &[file, form] : reports) {
+        if (file.empty()) continue;
+        if (const Status written = bench::write_report(file, form(table)); !written) code = fail(written.error());
+    }
+    return code;
+}
+
+ExitCode run(BenchTableOptions &options) {
+    if (options.scene.file.empty()) {
+        const Result<std::filesystem::path> scene = find_paper_scene();
+        if (!scene) return fail(scene.error());
+        options.scene.file = scene->string();
+    }
+    options.table.threads = options.threads.value_or(0);
+    if (someone_watches()) {
+        options.table.on_row = [](uint32_t size_px, uint32_t depth) {
+            complain(fmt::format("measuring {0}x{0}, depth {1}", size_px, depth));
+        };
+    }
+    const Result<SceneFile> file = read_scene(options.scene.file, options.scene.read_options());
+    if (!file) return fail_reading(file.error());
+    complain_about(*file);
+
+    const uint32_t first_size = options.table.sizes_px.front();
+    Result<bench::OpenedSurface> opened = bench::open_surface(options.surface, first_size, first_size);
+    if (!opened) return fail(opened.error());
+    for (const std::string &note : opened->notes) complain(note);
+
+    const auto accel = Accel::build(file->scene, {.kind = AccelKind::kdtree, .threads = options.table.threads});
+    RenderControl control;
+    const InterruptGuard guard(control);
+    const Result<bench::Table> table =
+        bench::measure_table(accel, options.scene.file, opened->surface.get(), options.table, &control);
+    if (!table) return fail(table.error());
+    print(bench::to_text(*table));
+    return write_reports(options, *table);
+}
+
+void add_seconds(CLI::App &parser, double &target) {
+    const CLI::Validator in_bounds(
+        [](const std::string &text) {
+            double seconds = 0.0;
+            const char *const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, seconds);
+            const bool number = error == std::errc() && stop == end;
+            return number && seconds >= 0.0 && seconds <= 3600.0
+                       ? std::string()
+                       : fmt::format("'{}' is not a number of seconds from 0 to 3600", text);
+        },
+        "");
+    parser.add_option("--seconds", target, "Time each row at least this long (default 1), and at least 50 frames")
+        ->check(in_bounds)
+        ->type_name("S");
+}
+
+} // namespace
+
+Command add_bench_table_command(CLI::App &parser) {
+    auto options = std::make_shared<BenchTableOptions>();
+    CLI::App *bench = parser.add_subcommand("bench", "Measure this machine");
+    bench->require_subcommand(1);
+    CLI::App *table = bench->add_subcommand("table", "The timing table of the 2013 paper, by resolution and depth");
+    table->add_option("--scene", options->scene.file, "The scene file (default: the paper's cornell.sdl)")
+        ->type_name("FILE");
+    add_numbers(*table, "--sizes", options->table.sizes_px, {1, 16384}, "Picture sizes (default 128,256,512)");
+    add_numbers(*table, "--depths", options->table.depths, depth_bounds, "Recursive rays (default 1,2)");
+    add_number(*table, "--threads", options->threads, thread_bounds, "Threads (default: one a processor)");
+    add_choice(
+        *table, "--surface", options->surface,
+        {{"egl", bench::SurfaceKind::egl}, {"osmesa", bench::SurfaceKind::osmesa}, {"none", bench::SurfaceKind::none}},
+        "What pictures are shown on: egl (default; falls back to osmesa, then none), osmesa, or none");
+    add_seconds(*table, options->table.min_seconds);
+    table->add_option("--json", options->json_file, "Write the table as JSON")->type_name("FILE");
+    table->add_option("--csv", options->csv_file, "Write the table as CSV")->type_name("FILE");
+    table->add_option("--md", options->markdown_file, "Write the table as Markdown")->type_name("FILE");
+    add_scene_options(*table, options->scene);
+    table->footer(examples);
+    return {table, [options] { return run(*options); }};
+}
+
+} // namespace glint::cli

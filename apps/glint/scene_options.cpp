@@ -1,0 +1,42 @@
+// The options of every command that reads a scene, and the reading itself.
+#include "scene_options.hpp"
+
+#include "console.hpp"
+
+namespace glint::cli {
+
+ReadOptions SceneOptions::read_options() const {
+    ReadOptions options;
+    if (max_pixels) options.limits.max_pixels = *max_pixels;
+    options.scene_root = scene_root;
+    options.allow_outside_root = allow_outside_root;
+    options.dialect = dialect;
+    return options;
+}
+
+void add_scene_options(CLI::App &parser, SceneOptions &options) {
+    const auto group = std::string("Reading the scene");
+    add_number(parser, "--max-pixels", options.max_pixels, {1, uint64_t{1} << 40},
+               "Most pixels a picture may have (default 67108864)")
+        ->group(group);
+    parser
+        .add_option("--scene-root", options.scene_root,
+                    "Folder that no path in the scene file may leave (default: the scene file's own)")
+        ->type_name("DIR")
+        ->group(group);
+    parser
+        .add_flag("--allow-outside-root", options.allow_outside_root,
+                  "Follow absolute paths and paths that leave the scene root")
+        ->group(group);
+    parser
+        .add_option("--dialect", options.dialect,
+                    "Read the file as this SDL dialect, e.g. mobile2013 (default: detect)")
+        ->type_name("NAME")
+        ->group(group);
+}
+
+void complain_about(const SceneFile &file) {
+    for (const Diagnostic &warning : file.warnings) complain(warning.text());
+}
+
+} // namespace glint::cli
