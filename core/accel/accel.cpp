@@ -23,22 +23,29 @@ std::shared_ptr<const Accel> Accel::build(std::shared_ptr<const Scene> scene, co
     if (options.kind == AccelKind::brute) {
         impl->tree.bounds = impl->triangles.bounds();
     } else {
-        const unsigned threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+        const unsigned threads =
+            options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
         impl->tree = build_kd_tree(impl->triangles.corners, threads);
     }
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
-    impl->statistics = measure_tree(impl->tree);
+    impl->statistics = measure_tree(impl->tree, impl->scene->triangle_count());
     impl->statistics.build_seconds = elapsed.count();
-    impl->statistics.triangles = impl->scene->triangle_count();
-    impl->statistics.bytes = impl->tree.nodes.size() * sizeof(KdNode) + impl->tree.references.size() * sizeof(uint32_t) +
+    impl->statistics.bytes = impl->tree.nodes.size() * sizeof(KdNode) +
+                             impl->tree.references.size() * sizeof(uint32_t) +
                              impl->triangles.corners.size() * sizeof(TriangleCorners) +
                              impl->triangles.surfaces.size() * sizeof(TriangleSurface);
     return std::shared_ptr<const Accel>(new Accel(std::move(impl)));
 }
 
-const Scene &Accel::scene() const { return *impl_->scene; }
-AccelKind Accel::kind() const { return impl_->kind; }
-const AccelStatistics &Accel::statistics() const { return impl_->statistics; }
+const Scene &Accel::scene() const {
+    return *impl_->scene;
+}
+AccelKind Accel::kind() const {
+    return impl_->kind;
+}
+const AccelStatistics &Accel::statistics() const {
+    return impl_->statistics;
+}
 
 } // namespace glint

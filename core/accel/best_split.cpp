@@ -3,7 +3,7 @@
 
 namespace glint {
 
-BestSplit::BestSplit(const Box &cell) {
+BestSplit::BestSplit(const Box &cell, const CostModel &cost) : cost_(cost) {
     const glm::dvec3 extent = glm::dvec3(cell.hi) - glm::dvec3(cell.lo);
     const double area = cell.half_area();
     // A cell without area (flat in two directions) cannot be judged: every slice counts as met for certain.

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "math/vec.hpp"
+
 namespace glint {
 
 namespace {
@@ -21,12 +23,12 @@ Polygon cut(const Polygon &polygon, int axis, double plane, double sign) {
     for (int i = 0; i < polygon.count; ++i) {
         const glm::dvec3 &p = polygon.corners[i];
         const glm::dvec3 &q = polygon.corners[i + 1 < polygon.count ? i + 1 : 0];
-        const double p_side = sign * (p[axis] - plane);
-        const double q_side = sign * (q[axis] - plane);
+        const double p_side = sign * (component(p, axis) - plane);
+        const double q_side = sign * (component(q, axis) - plane);
         if (p_side >= 0.0) inside.add(p);
         if ((p_side > 0.0 && q_side < 0.0) || (p_side < 0.0 && q_side > 0.0)) {
             glm::dvec3 crossing = p + (q - p) * (p_side / (p_side - q_side));
-            crossing[axis] = plane;
+            component(crossing, axis) = plane;
             inside.add(crossing);
         }
     }
@@ -52,20 +54,22 @@ Box clip_to_cell(const TriangleCorners &triangle, const Box &cell) {
     polygon.add(triangle.b);
     polygon.add(triangle.c);
     for (int axis = 0; axis < 3; ++axis) {
-        if (bounds.lo[axis] < cell.lo[axis]) polygon = cut(polygon, axis, cell.lo[axis], 1.0);
-        if (bounds.hi[axis] > cell.hi[axis]) polygon = cut(polygon, axis, cell.hi[axis], -1.0);
+        if (component(bounds.lo, axis) < component(cell.lo, axis))
+            polygon = cut(polygon, axis, component(cell.lo, axis), 1.0);
+        if (component(bounds.hi, axis) > component(cell.hi, axis))
+            polygon = cut(polygon, axis, component(cell.hi, axis), -1.0);
     }
 
     Box clipped;
     if (polygon.count == 0) return clipped;
     for (int axis = 0; axis < 3; ++axis) {
-        double lo = polygon.corners[0][axis], hi = lo;
+        double lo = component(polygon.corners[0], axis), hi = lo;
         for (int i = 1; i < polygon.count; ++i) {
-            lo = std::fmin(lo, polygon.corners[i][axis]);
-            hi = std::fmax(hi, polygon.corners[i][axis]);
+            lo = std::fmin(lo, component(polygon.corners[i], axis));
+            hi = std::fmax(hi, component(polygon.corners[i], axis));
         }
-        clipped.lo[axis] = std::fmax(round_down(lo), cell.lo[axis]);
-        clipped.hi[axis] = std::fmin(round_up(hi), cell.hi[axis]);
+        component(clipped.lo, axis) = std::fmax(round_down(lo), component(cell.lo, axis));
+        component(clipped.hi, axis) = std::fmin(round_up(hi), component(cell.hi, axis));
     }
     return clipped;
 }

@@ -40,7 +40,7 @@ struct Cell {
 
 class Builder {
 public:
-    explicit Builder(const std::vector<TriangleCorners> &triangles) : triangles_(triangles) {
+    explicit Builder(const std::vector<TriangleCorners> &triangles) : triangles_(triangles), cost_(triangles.size()) {
         // Wald & Havran 2006 bound the depth by 8 + 1.3 log2(n); beyond that a leaf is full of overlapping triangles
         // that no plane separates.
         const double log2_count = std::log2(static_cast<double>(triangles.size() + 1));
@@ -69,9 +69,9 @@ private:
     [[nodiscard]] Split choose_split(const Cell &cell) const {
         const size_t count = cell.references.size();
         if (count == 0 || cell.depth >= depth_limit_) return {};
-        const Split split = count > sweep_threshold ? find_binned_split(cell.references, cell.box)
-                                                    : find_swept_split(cell.references, cell.box);
-        return split.cost < CostModel::leaf(count) ? split : Split{};
+        const Split split = count > sweep_threshold ? find_binned_split(cell.references, cell.box, cost_)
+                                                    : find_swept_split(cell.references, cell.box, cost_);
+        return split.cost < cost_.leaf(count) ? split : Split{};
     }
 
     /// Moves the cell's references to the two cells that a split makes of it, cutting those that straddle the plane.
@@ -140,9 +140,9 @@ private:
             const auto node_base = static_cast<uint32_t>(tree.nodes.size());
             const auto reference_base = static_cast<uint32_t>(tree.references.size());
             for (const KdNode &node : branch.subtree.nodes) {
-                tree.nodes.push_back(
-                    node.is_leaf() ? KdNode::leaf(node.first_reference() + reference_base, node.reference_count())
-                                   : KdNode::inner(node.axis(), node.split(), node.upper_child() + node_base));
+                tree.nodes.push_back(node.is_leaf()
+                                         ? KdNode::leaf(node.first_reference() + reference_base, node.reference_count())
+                                         : KdNode::inner(node.axis(), node.split(), node.upper_child() + node_base));
             }
             tree.references.insert(tree.references.end(), branch.subtree.references.begin(),
                                    branch.subtree.references.end());
@@ -156,11 +156,11 @@ private:
         const auto upper_child = static_cast<uint32_t>(tree.nodes.size());
         lay_out(*branch.upper, tree);
         branch.upper.reset();
-        tree.nodes[node] =
-            KdNode::inner(static_cast<uint32_t>(branch.split.axis), branch.split.position, upper_child);
+        tree.nodes[node] = KdNode::inner(static_cast<uint32_t>(branch.split.axis), branch.split.position, upper_child);
     }
 
     const std::vector<TriangleCorners> &triangles_;
+    CostModel cost_;
     uint32_t depth_limit_;
     TaskGroup tasks_;
 };

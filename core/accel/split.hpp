@@ -8,6 +8,7 @@
 
 #include "accel/cost_model.hpp"
 #include "accel/reference.hpp"
+#include "math/vec.hpp"
 
 namespace glint {
 
@@ -20,19 +21,19 @@ struct Split {
 
     /// Triangles that lie in the plane go to one side, those that only touch it stay on their own side, others to both.
     [[nodiscard]] bool goes_lower(const Box &bounds) const {
-        return bounds.lo[axis] < position || (planar_to_lower && bounds.hi[axis] == position);
+        return component(bounds.lo, axis) < position || (planar_to_lower && component(bounds.hi, axis) == position);
     }
     [[nodiscard]] bool goes_upper(const Box &bounds) const {
-        return bounds.hi[axis] > position || (!planar_to_lower && bounds.lo[axis] == position);
+        return component(bounds.hi, axis) > position || (!planar_to_lower && component(bounds.lo, axis) == position);
     }
-    [[nodiscard]] Box lower_cell(Box cell) const { return cell.hi[axis] = position, cell; }
-    [[nodiscard]] Box upper_cell(Box cell) const { return cell.lo[axis] = position, cell; }
+    [[nodiscard]] Box lower_cell(Box cell) const { return component(cell.hi, axis) = position, cell; }
+    [[nodiscard]] Box upper_cell(Box cell) const { return component(cell.lo, axis) = position, cell; }
 };
 
 /// Keeps the cheaper of the splits it is shown; the first one of equals.
 class BestSplit {
 public:
-    explicit BestSplit(const Box &cell);
+    BestSplit(const Box &cell, const CostModel &cost);
 
     /// Offers a plane with the number of triangles below, in and above it. A plane in one of the cell's own faces may
     /// only set apart the triangles that lie in it, in a flat cell; planes outside are ignored.
@@ -43,9 +44,9 @@ public:
         if ((lowest || highest) && planar == 0) return;
         const double lower = a.cap + (double(position) - a.lo) * a.girth;
         const double upper = a.cap + (double(a.hi) - position) * a.girth;
-        if (!highest) accept(axis, position, CostModel::split(lower, below + planar, upper, above), true);
+        if (!highest) accept(axis, position, cost_.split(lower, below + planar, upper, above), true);
         if (!lowest && planar > 0) {
-            accept(axis, position, CostModel::split(lower, below, upper, above + planar), false);
+            accept(axis, position, cost_.split(lower, below, upper, above + planar), false);
         }
     }
 
@@ -62,14 +63,15 @@ private:
         if (cost < best_.cost) best_ = {cost, position, axis, planar_to_lower};
     }
 
+    CostModel cost_;
     Axis axes_[3];
     Split best_;
 };
 
 /// The best of evenly spaced planes, of the planes that cut off empty space and of the cell's faces; O(n).
-[[nodiscard]] Split find_binned_split(std::span<const Reference> references, const Box &cell);
+[[nodiscard]] Split find_binned_split(std::span<const Reference> references, const Box &cell, const CostModel &cost);
 
 /// The best of all planes through a triangle's boundary: exact, O(n log n).
-[[nodiscard]] Split find_swept_split(std::span<const Reference> references, const Box &cell);
+[[nodiscard]] Split find_swept_split(std::span<const Reference> references, const Box &cell, const CostModel &cost);
 
 } // namespace glint

@@ -17,7 +17,7 @@ struct Boundaries {
         ends.clear();
         planars.clear();
         for (const Reference &reference : references) {
-            const float lo = reference.bounds.lo[axis], hi = reference.bounds.hi[axis];
+            const float lo = component(reference.bounds.lo, axis), hi = component(reference.bounds.hi, axis);
             if (lo == hi) {
                 planars.push_back(lo);
             } else {
@@ -33,11 +33,11 @@ struct Boundaries {
 
 } // namespace
 
-Split find_swept_split(std::span<const Reference> references, const Box &cell) {
+Split find_swept_split(std::span<const Reference> references, const Box &cell, const CostModel &cost) {
     static thread_local Boundaries boundaries;
-    BestSplit best(cell);
+    BestSplit best(cell, cost);
     for (int axis = 0; axis < 3; ++axis) {
-        if (!(cell.hi[axis] > cell.lo[axis])) continue;
+        if (!(component(cell.hi, axis) > component(cell.lo, axis))) continue;
         boundaries.gather(references, axis);
         const auto &[begins, ends, planars] = boundaries;
         size_t begun = 0, ended = 0, flat = 0; // boundaries strictly below the plane; for ends: below or in it

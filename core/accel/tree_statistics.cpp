@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "accel/cost_model.hpp"
+#include "math/vec.hpp"
 
 namespace glint {
 
@@ -17,8 +18,10 @@ struct Visit {
 
 } // namespace
 
-AccelStatistics measure_tree(const KdTree &tree) {
+AccelStatistics measure_tree(const KdTree &tree, uint32_t triangle_count) {
+    const CostModel cost(triangle_count);
     AccelStatistics statistics;
+    statistics.triangles = triangle_count;
     statistics.nodes = tree.nodes.size();
     statistics.references = tree.references.size();
     const double root_area = tree.bounds.half_area();
@@ -33,13 +36,13 @@ AccelStatistics measure_tree(const KdTree &tree) {
             ++statistics.leaves;
             if (node.reference_count() == 0) ++statistics.empty_leaves;
             statistics.depth = std::max(statistics.depth, visit.depth);
-            statistics.sah_cost += probability * CostModel::leaf(node.reference_count());
+            statistics.sah_cost += probability * cost.leaf(node.reference_count());
             continue;
         }
         statistics.sah_cost += probability * CostModel::traversal;
         Box lower = visit.cell, upper = visit.cell;
         const auto axis = static_cast<int>(node.axis());
-        lower.hi[axis] = upper.lo[axis] = node.split();
+        component(lower.hi, axis) = component(upper.lo, axis) = node.split();
         stack.push_back({visit.node + 1, visit.depth + 1, lower});
         stack.push_back({node.upper_child(), visit.depth + 1, upper});
     }

@@ -7,7 +7,7 @@
 
 namespace glint {
 
-/// Everything but triangles, bytes and build_seconds.
-[[nodiscard]] AccelStatistics measure_tree(const KdTree &tree);
+/// Everything but bytes and build_seconds.
+[[nodiscard]] AccelStatistics measure_tree(const KdTree &tree, uint32_t triangle_count);
 
 } // namespace glint

@@ -1,7 +1,9 @@
 // Where a ray meets a triangle: watertight, and exact about it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "accel/triangle_data.hpp"
 #include "kernel/prepared_ray.hpp"
@@ -13,20 +15,33 @@ namespace detail {
 /// Corners relative to the ray's origin, sheared so that the ray runs along z from (0, 0).
 template <typename T> struct ShearedTriangle {
     T ax, ay, bx, by, cx, cy;
-    T az, bz, cz; ///< not scaled: divided by dir[kz] these are distances along the ray
+    T az, bz, cz; ///< as they are: divided by dir[kz] these are distances along the ray
 
-    ShearedTriangle(const TriangleCorners &triangle, const PreparedRay &ray, T shear_x, T shear_y) {
-        const int kx = ray.kx, ky = ray.ky, kz = ray.kz;
-        const T ox = ray.org[kx], oy = ray.org[ky], oz = ray.org[kz];
-        az = T(triangle.a[kz]) - oz;
-        bz = T(triangle.b[kz]) - oz;
-        cz = T(triangle.c[kz]) - oz;
-        ax = (T(triangle.a[kx]) - ox) - shear_x * az;
-        ay = (T(triangle.a[ky]) - oy) - shear_y * az;
-        bx = (T(triangle.b[kx]) - ox) - shear_x * bz;
-        by = (T(triangle.b[ky]) - oy) - shear_y * bz;
-        cx = (T(triangle.c[kx]) - ox) - shear_x * cz;
-        cy = (T(triangle.c[ky]) - oy) - shear_y * cz;
+    /// In float, by the ray's shear.
+    ShearedTriangle(const TriangleCorners &triangle, const PreparedRay &ray)
+        requires std::is_same_v<T, float>
+    {
+        relate(triangle, ray);
+        ax -= ray.shear_x * az;
+        ay -= ray.shear_y * az;
+        bx -= ray.shear_x * bz;
+        by -= ray.shear_y * bz;
+        cx -= ray.shear_x * cz;
+        cy -= ray.shear_y * cz;
+    }
+
+    /// In double, and everything dir[kz] times as large: multiplying is exact enough and cheaper than dividing.
+    ShearedTriangle(const TriangleCorners &triangle, const PreparedRay &ray)
+        requires std::is_same_v<T, double>
+    {
+        relate(triangle, ray);
+        const double dx = ray.permuted_dir.x, dy = ray.permuted_dir.y, dz = ray.permuted_dir.z;
+        ax = ax * dz - dx * az;
+        ay = ay * dz - dy * az;
+        bx = bx * dz - dx * bz;
+        by = by * dz - dy * bz;
+        cx = cx * dz - dx * cz;
+        cy = cy * dz - dy * cz;
     }
 
     /// Largest distance of a corner from the ray, by coordinate.
@@ -36,6 +51,21 @@ template <typename T> struct ShearedTriangle {
     }
 
     static T max(T p, T q) { return p > q ? p : q; }
+
+private:
+    void relate(const TriangleCorners &triangle, const PreparedRay &ray) {
+        const float *a = &triangle.a.x, *b = &triangle.b.x, *c = &triangle.c.x;
+        const T ox = ray.permuted_org.x, oy = ray.permuted_org.y, oz = ray.permuted_org.z;
+        ax = T(a[ray.kx]) - ox;
+        ay = T(a[ray.ky]) - oy;
+        az = T(a[ray.kz]) - oz;
+        bx = T(b[ray.kx]) - ox;
+        by = T(b[ray.ky]) - oy;
+        bz = T(b[ray.kz]) - oz;
+        cx = T(c[ray.kx]) - ox;
+        cy = T(c[ray.ky]) - oy;
+        cz = T(c[ray.kz]) - oz;
+    }
 };
 
 /// Depth (on the z axis) of the point of an edge p-q that lies closest to the ray.
@@ -70,16 +100,19 @@ inline double edge_on_depth(const ShearedTriangle<double> &s) {
 inline double intersect(const PreparedRay &ray, const TriangleCorners &triangle) {
     using detail::ShearedTriangle;
     {
-        const ShearedTriangle<float> s(triangle, ray, ray.shear_x, ray.shear_y);
+        const ShearedTriangle<float> s(triangle, ray);
         const float u = s.cx * s.by - s.cy * s.bx;
         const float v = s.ax * s.cy - s.ay * s.cx;
         const float w = s.bx * s.ay - s.by * s.ax;
+        const float least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
         // Each coordinate is off by at most 6 eps M, hence an edge function by (24 + 16) eps M * reach + 72 (eps M)^2;
         // slack is 16 eps M.
-        const float margin = 3.0f * ray.slack * (s.reach() + ray.slack);
-        if ((u < -margin || v < -margin || w < -margin) && (u > margin || v > margin || w > margin)) return NAN;
+        if (least < 0.0f && most > 0.0f) {
+            const float margin = 3.0f * ray.slack * (s.reach() + ray.slack);
+            if (least < -margin && most > margin) return NAN;
+        }
     }
-    const ShearedTriangle<double> s(triangle, ray, ray.exact_shear_x, ray.exact_shear_y);
+    const ShearedTriangle<double> s(triangle, ray);
     const double u = s.cx * s.by - s.cy * s.bx;
     const double v = s.ax * s.cy - s.ay * s.cx;
     const double w = s.bx * s.ay - s.by * s.ax;
@@ -88,8 +121,8 @@ inline double intersect(const PreparedRay &ray, const TriangleCorners &triangle)
     if (det == 0.0) return NAN;
     const double reach = s.reach();
     // The weights' own rounding moves the point by 2^-51 reach^3 / det across the ray: keep that far below slack.
-    if (std::abs(det) < 0x1p-26 * (reach * reach)) return detail::edge_on_depth(s) / ray.dir[ray.kz];
-    return ((u * s.az + v * s.bz) + w * s.cz) / (det * ray.dir[ray.kz]);
+    if (std::abs(det) < 0x1p-26 * (reach * reach)) return detail::edge_on_depth(s) / ray.permuted_dir.z;
+    return ((u * s.az + v * s.bz) + w * s.cz) / (det * ray.permuted_dir.z);
 }
 
 } // namespace glint

@@ -3,6 +3,8 @@
 
 namespace glint {
 
-Kernel best_kernel() { return {"scalar", render_tile_scalar}; }
+Kernel best_kernel() {
+    return {"scalar", render_tile_scalar};
+}
 
 } // namespace glint

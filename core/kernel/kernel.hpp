@@ -13,14 +13,14 @@ namespace glint {
 
 /// A surface as shading needs it; products of a scene's constants are taken once.
 struct SurfaceShading {
-    bool is_light;        ///< shows `emission`, whatever else is set
-    Color emission;       ///< I * (r, g, b) of a light
-    Color ambient_color;  ///< ka * Ia * C
-    Color diffuse_color;  ///< kd * C
-    float specular;       ///< ks
-    float exponent;       ///< ke
-    float reflection;     ///< kr
-    float transmission;   ///< kt
+    bool is_light;       ///< shows `emission`, whatever else is set
+    Color emission;      ///< I * (r, g, b) of a light
+    Color ambient_color; ///< ka * Ia * C
+    Color diffuse_color; ///< kd * C
+    float specular;      ///< ks
+    float exponent;      ///< ke
+    float reflection;    ///< kr
+    float transmission;  ///< kt
 };
 
 /// A light as shading needs it.

@@ -14,9 +14,9 @@ struct Ray {
     glm::vec3 dir;
 };
 
-/// Rounding errors in one place. With eps = 2^-24 (half an ulp of 1) and M the largest coordinate of the scene seen from
-/// the ray's origin, a corner's position relative to the origin is off by at most eps * M, a slab distance by
-/// 3 eps * M, its position across the ray (see intersect.hpp) by 6 eps * M. `slack` = 16 eps * M covers any sum of these
+/// Rounding errors in one place. With eps = 2^-24 (half an ulp of 1) and M the largest coordinate of the scene seen
+/// from the ray's origin, a corner's position relative to the origin is off by at most eps * M, a slab distance by 3
+/// eps * M, its position across the ray (see intersect.hpp) by 6 eps * M. `slack` = 16 eps * M covers any sum of these
 /// that occurs. It is what keeps the tree from disagreeing with brute force: a ray passes a splitting plane anywhere
 /// within slack of it.
 inline constexpr float slack_of_extent = 0x1p-20f;
@@ -26,30 +26,30 @@ struct PreparedRay {
     glm::vec3 dir;
 
     // For walking the tree.
-    glm::vec3 inverse_dir;   ///< finite: components too small to matter are made tiny instead of zero
+    glm::vec3 inverse_dir;     ///< finite: components too small to matter are made tiny instead of zero
     glm::vec3 parameter_slack; ///< slack as a difference of t, along each axis
-    float slack;             ///< as a length in space
+    float slack;               ///< as a length in space
 
     // For intersecting triangles (Woop, Benthin & Wald 2013): the axes permuted so that z is the ray's major one, and
     // the shear that turns the ray onto it.
     int kx, ky, kz;
+    glm::vec3 permuted_org, permuted_dir;
     float shear_x, shear_y;
-    double exact_shear_x, exact_shear_y;
 
     PreparedRay(const Ray &ray, const Box &scene_bounds) : org(ray.org), dir(ray.dir) {
         const float x = std::abs(dir.x), y = std::abs(dir.y), z = std::abs(dir.z);
         kz = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
         kx = kz == 2 ? 0 : kz + 1;
         ky = kx == 2 ? 0 : kx + 1;
-        shear_x = dir[kx] / dir[kz];
-        shear_y = dir[ky] / dir[kz];
-        exact_shear_x = double(dir[kx]) / double(dir[kz]);
-        exact_shear_y = double(dir[ky]) / double(dir[kz]);
+        permuted_org = {component(org, kx), component(org, ky), component(org, kz)};
+        permuted_dir = {component(dir, kx), component(dir, ky), component(dir, kz)};
+        shear_x = permuted_dir.x / permuted_dir.z;
+        shear_y = permuted_dir.y / permuted_dir.z;
 
         const float to_lo = max_abs(scene_bounds.lo - org), to_hi = max_abs(scene_bounds.hi - org);
         slack = slack_of_extent * (to_lo > to_hi ? to_lo : to_hi);
         // A component 10^15 times smaller than the major one moves the ray by far less than slack within the scene.
-        const float tiny = 1e-15f * std::abs(dir[kz]);
+        const float tiny = 1e-15f * std::abs(permuted_dir.z);
         for (int axis = 0; axis < 3; ++axis) {
             const float d = std::abs(dir[axis]) < tiny ? std::copysign(tiny, dir[axis]) : dir[axis];
             inverse_dir[axis] = 1.0f / d;

@@ -39,7 +39,7 @@ struct SurfacePoint {
 
 SurfacePoint surface_point(const KernelScene &scene, const PreparedRay &ray, const Hit &hit) {
     const TriangleSurface &triangle = scene.geometry.surfaces[hit.triangle_id];
-    const double t = intersect(ray, scene.geometry.corners[hit.triangle_id]);
+    const double t = hit.exact_t;
     SurfacePoint point;
     point.position = {static_cast<float>(double(ray.org.x) + t * double(ray.dir.x)),
                       static_cast<float>(double(ray.org.y) + t * double(ray.dir.y)),

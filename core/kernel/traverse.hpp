@@ -10,7 +10,7 @@ namespace glint {
 
 /// What is traced against. Plain pointers: shared by all kernels, owned by the Accel.
 struct GeometryView {
-    const KdNode *nodes;          ///< nullptr: no tree, every ray meets every triangle
+    const KdNode *nodes; ///< nullptr: no tree, every ray meets every triangle
     const uint32_t *references;
     const TriangleCorners *corners;
     const TriangleSurface *surfaces;
@@ -22,8 +22,9 @@ inline constexpr uint32_t no_triangle = UINT32_MAX;
 inline constexpr uint32_t no_surface = UINT32_MAX;
 
 struct Hit {
-    float t;
+    float t;              ///< what hits are compared by
     uint32_t triangle_id; ///< no_triangle where nothing was hit
+    double exact_t;       ///< what t was rounded from; for the hit point
 };
 
 /// Calls visit(triangle ids, count) for every leaf that the ray may reach before t_max, near leaves first, until a call
@@ -55,12 +56,12 @@ void walk_tree(const GeometryView &geometry, const PreparedRay &ray, const float
         const KdNode node = geometry.nodes[index];
         if (!node.is_leaf()) {
             const auto axis = static_cast<int>(node.axis());
-            const float t_split = (node.split() - ray.org[axis]) * ray.inverse_dir[axis];
-            const bool upward = ray.inverse_dir[axis] > 0.0f;
+            const float t_split = (node.split() - component(ray.org, axis)) * component(ray.inverse_dir, axis);
+            const bool upward = component(ray.inverse_dir, axis) > 0.0f;
             const uint32_t first = upward ? index + 1 : node.upper_child();
             const uint32_t second = upward ? node.upper_child() : index + 1;
-            const float t_second = t_split - ray.parameter_slack[axis]; // the second cell begins no earlier
-            const float t_first = t_split + ray.parameter_slack[axis];  // the first cell ends no later
+            const float t_second = t_split - component(ray.parameter_slack, axis); // the second cell begins no earlier
+            const float t_first = t_split + component(ray.parameter_slack, axis);  // the first cell ends no later
             if (t_second > t_far) {
                 index = first;
             } else if (t_first < t_near) {
@@ -87,10 +88,13 @@ void walk_tree(const GeometryView &geometry, const PreparedRay &ray, const float
 
 /// The nearest triangle with 0 < t <= t_max; of several at the same t, the one with the lowest id.
 inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max) {
-    Hit best{t_max, no_triangle};
+    Hit best{t_max, no_triangle, t_max};
     const auto test = [&](uint32_t triangle_id) {
-        const auto t = static_cast<float>(intersect(ray, geometry.corners[triangle_id]));
-        if (t > 0.0f && (t < best.t || (t == best.t && triangle_id < best.triangle_id))) best = {t, triangle_id};
+        const double exact_t = intersect(ray, geometry.corners[triangle_id]);
+        const auto t = static_cast<float>(exact_t);
+        if (t > 0.0f && (t < best.t || (t == best.t && triangle_id < best.triangle_id))) {
+            best = {t, triangle_id, exact_t};
+        }
     };
     if (!geometry.nodes) {
         for (uint32_t id = 0; id < geometry.triangle_count; ++id) test(id);

@@ -7,7 +7,17 @@
 
 namespace glint {
 
-[[nodiscard]] inline float dot(const glm::vec3 &a, const glm::vec3 &b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+/// v[axis] for an axis known at run time: a load, where GLM's own operator[] is a chain of branches.
+template <typename T> [[nodiscard]] T &component(glm::vec<3, T> &v, int axis) {
+    return (&v.x)[axis];
+}
+template <typename T> [[nodiscard]] T component(const glm::vec<3, T> &v, int axis) {
+    return (&v.x)[axis];
+}
+
+[[nodiscard]] inline float dot(const glm::vec3 &a, const glm::vec3 &b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
 
 /// Unit length; the argument is not zero and its square neither over- nor underflows.
 [[nodiscard]] inline glm::vec3 normalize(const glm::vec3 &a) {

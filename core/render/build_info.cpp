@@ -12,8 +12,8 @@ namespace glint {
 
 BuildInfo build_info() {
     BuildInfo info;
-    info.version = GLINT_TEXT(GLINT_VERSION_MAJOR) "." GLINT_TEXT(GLINT_VERSION_MINOR) "." GLINT_TEXT(
-        GLINT_VERSION_PATCH);
+    info.version =
+        GLINT_TEXT(GLINT_VERSION_MAJOR) "." GLINT_TEXT(GLINT_VERSION_MINOR) "." GLINT_TEXT(GLINT_VERSION_PATCH);
 #if defined(__clang__)
     info.compiler = "clang " __clang_version__;
 #elif defined(__GNUC__)

@@ -25,7 +25,9 @@ void RenderControl::reset() {
 
 struct Renderer::Impl {
     Impl(std::shared_ptr<const Accel> accel_, const RendererOptions &options)
-        : accel(std::move(accel_)), tables(*accel), kernel(best_kernel()),
+        : accel(std::move(accel_)),
+          tables(*accel),
+          kernel(best_kernel()),
           pool(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
           workers(pool.threads()) {}
 
@@ -46,9 +48,15 @@ Renderer::Renderer(std::shared_ptr<const Accel> accel, const RendererOptions &op
     : impl_(std::make_unique<Impl>(std::move(accel), options)) {}
 Renderer::~Renderer() = default;
 
-unsigned Renderer::threads() const { return impl_->pool.threads(); }
-const Accel &Renderer::accel() const { return *impl_->accel; }
-std::string_view Renderer::isa() const { return impl_->kernel.isa; }
+unsigned Renderer::threads() const {
+    return impl_->pool.threads();
+}
+const Accel &Renderer::accel() const {
+    return *impl_->accel;
+}
+std::string_view Renderer::isa() const {
+    return impl_->kernel.isa;
+}
 
 Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptions &options, RenderControl *control) {
     const std::lock_guard lock(impl_->one_render);

@@ -14,7 +14,9 @@ public:
     static constexpr uint32_t tile_px = 16;
 
     Tiling(uint32_t width_px, uint32_t height_px)
-        : width_px_(width_px), height_px_(height_px), columns_((width_px - 1) / tile_px + 1),
+        : width_px_(width_px),
+          height_px_(height_px),
+          columns_((width_px - 1) / tile_px + 1),
           rows_((height_px - 1) / tile_px + 1) {}
 
     /// Fits 32 bits for any picture that fits memory.

@@ -47,8 +47,9 @@ void WorkerPool::run(const std::function<void(unsigned)> &work) {
     epoch_.notify_all();
     work(0);
     open_.store(false);
-    // A worker counts itself in before it looks whether the job is open, and the job was closed before this looks at the
-    // count: in the single order of these operations, whoever got in is seen here, and whoever is not sees a closed job.
+    // A worker counts itself in before it looks whether the job is open, and the job was closed before this looks at
+    // the count: in the single order of these operations, whoever got in is seen here, and whoever is not sees a closed
+    // job.
     for (uint32_t inside = inside_.load(); inside != 0; inside = inside_.load()) wait_for_change(inside_, inside);
 }
 

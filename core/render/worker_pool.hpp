@@ -32,9 +32,9 @@ public:
 private:
     void live(unsigned worker);
 
-    std::atomic<uint32_t> epoch_{0};   // counts jobs; changing it wakes the workers
-    std::atomic<bool> open_{false};    // whether the current job takes more workers
-    std::atomic<uint32_t> inside_{0};  // workers that look at the job
+    std::atomic<uint32_t> epoch_{0};  // counts jobs; changing it wakes the workers
+    std::atomic<bool> open_{false};   // whether the current job takes more workers
+    std::atomic<uint32_t> inside_{0}; // workers that look at the job
     std::atomic<bool> stopping_{false};
     const std::function<void(unsigned)> *work_ = nullptr; // valid while open_ or inside_ > 0
     std::vector<std::jthread> workers_;

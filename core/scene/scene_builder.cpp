@@ -112,12 +112,24 @@ std::string named(const char *kind, size_t index, const std::string &name) {
 
 } // namespace
 
-SceneBuilder &SceneBuilder::add_object(Object object) { return objects_.push_back(std::move(object)), *this; }
-SceneBuilder &SceneBuilder::add_light(MeshLight light) { return lights_.push_back(std::move(light)), *this; }
-SceneBuilder &SceneBuilder::set_camera(const Camera &camera) { return camera_ = camera, *this; }
-SceneBuilder &SceneBuilder::set_picture(const PictureSettings &picture) { return picture_ = picture, *this; }
-SceneBuilder &SceneBuilder::set_background(Color background) { return background_ = background, *this; }
-SceneBuilder &SceneBuilder::set_ambient(float ambient) { return ambient_ = ambient, *this; }
+SceneBuilder &SceneBuilder::add_object(Object object) {
+    return objects_.push_back(std::move(object)), *this;
+}
+SceneBuilder &SceneBuilder::add_light(MeshLight light) {
+    return lights_.push_back(std::move(light)), *this;
+}
+SceneBuilder &SceneBuilder::set_camera(const Camera &camera) {
+    return camera_ = camera, *this;
+}
+SceneBuilder &SceneBuilder::set_picture(const PictureSettings &picture) {
+    return picture_ = picture, *this;
+}
+SceneBuilder &SceneBuilder::set_background(Color background) {
+    return background_ = background, *this;
+}
+SceneBuilder &SceneBuilder::set_ambient(float ambient) {
+    return ambient_ = ambient, *this;
+}
 
 Result<std::shared_ptr<const Scene>> SceneBuilder::build() {
     std::shared_ptr<Scene> scene(new Scene);

@@ -26,15 +26,24 @@ public:
         const Point a = mesh_.positions[triangle.a], b = mesh_.positions[triangle.b], c = mesh_.positions[triangle.c];
         const Point near = center_ + random.in_box(Point(-reach_), Point(reach_));
         switch (number % 10) {
-        case 0: return {near, random.direction()};
-        case 1: return towards(near, a);
-        case 2: return towards(near, (a + b) * 0.5f);
-        case 3: return towards(near, a + (b - a) * random.uniform(0.0f, 1.0f));
-        case 4: return towards(near, (a + b + c) / 3.0f);
-        case 5: return axis_parallel(random, near);
-        case 6: return axis_parallel(random, random.below(2) ? a : (b + c) * 0.5f); // in planes of axis-parallel faces
-        case 7: return towards(a, random.below(2) ? b : c);                        // along edges, in the faces' planes
-        case 8: return towards(center_ + 1e6f * reach_ * random.direction(), a + (b - a) * random.uniform(0.0f, 1.0f));
+        case 0:
+            return {near, random.direction()};
+        case 1:
+            return towards(near, a);
+        case 2:
+            return towards(near, (a + b) * 0.5f);
+        case 3:
+            return towards(near, a + (b - a) * random.uniform(0.0f, 1.0f));
+        case 4:
+            return towards(near, (a + b + c) / 3.0f);
+        case 5:
+            return axis_parallel(random, near);
+        case 6:
+            return axis_parallel(random, random.below(2) ? a : (b + c) * 0.5f); // in planes of axis-parallel faces
+        case 7:
+            return towards(a, random.below(2) ? b : c); // along edges, in the faces' planes
+        case 8:
+            return towards(center_ + 1e6f * reach_ * random.direction(), a + (b - a) * random.uniform(0.0f, 1.0f));
         default: { // grazing: in the triangle's plane but for a millionth
             const Point target = a + (b - a) * random.uniform(0.0f, 1.0f);
             const Vector along = (c - a) * random.uniform(-1.0f, 1.0f) + (b - a) * random.uniform(-1.0f, 1.0f);

@@ -59,8 +59,9 @@ TEST_P(EveryMesh, kdtree_finds_what_brute_force_finds) {
                     const Hit by_force = closest_hit(brute, prepared, FLT_MAX);
                     // Any hit, up to just beyond and just before the closest one.
                     const float beyond = std::nextafter(by_force.t, INFINITY);
-                    const bool any_agrees = any_hit(tree, prepared, beyond, no_surface) == (by_force.triangle_id != no_triangle) &&
-                                            !any_hit(tree, prepared, by_force.t, no_surface);
+                    const bool any_agrees =
+                        any_hit(tree, prepared, beyond, no_surface) == (by_force.triangle_id != no_triangle) &&
+                        !any_hit(tree, prepared, by_force.t, no_surface);
                     my_hits += by_force.triangle_id != no_triangle;
                     if (by_tree.triangle_id != by_force.triangle_id ||
                         std::bit_cast<uint32_t>(by_tree.t) != std::bit_cast<uint32_t>(by_force.t) || !any_agrees) {

@@ -22,7 +22,9 @@ Material plain(Color color, float kr = 0.0f, float kt = 0.0f) {
 }
 
 /// The wall of all these tests: at z = -10, across the view.
-Object wall(const Material &material) { return {"wall", square({0.3f, 0.2f, -10}, 4), material}; }
+Object wall(const Material &material) {
+    return {"wall", square({0.3f, 0.2f, -10}, 4), material};
+}
 
 Color seen(SceneBuilder &builder, uint32_t depth = 0) {
     builder.set_camera(Camera::through_window({0, 0, 5}, -1, -1, 1, 1));
@@ -46,8 +48,8 @@ TEST(Shading, adds_ambient_diffuse_and_specular_light) {
     SceneBuilder builder;
     builder.add_object(wall(glossy)).add_light(lamp()).set_ambient(0.5f);
     // ka Ia C = 0.1 C. N.L = 0.8; R.V = 0.8, squared 0.64; ks of that 0.192. kd C N.L = 0.4 C. L = (2, 1, 0.5).
-    expect_color(seen(builder), {0.05f + 2.0f * (0.2f + 0.192f), 0.1f + 1.0f * (0.4f + 0.192f),
-                                 0.025f + 0.5f * (0.1f + 0.192f)});
+    expect_color(seen(builder),
+                 {0.05f + 2.0f * (0.2f + 0.192f), 0.1f + 1.0f * (0.4f + 0.192f), 0.025f + 0.5f * (0.1f + 0.192f)});
 }
 
 TEST(Shading, does_not_fall_off_with_distance) {

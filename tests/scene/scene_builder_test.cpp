@@ -9,7 +9,9 @@
 namespace glint::test {
 namespace {
 
-std::shared_ptr<const Mesh> shared(Mesh mesh) { return std::make_shared<Mesh>(std::move(mesh)); }
+std::shared_ptr<const Mesh> shared(Mesh mesh) {
+    return std::make_shared<Mesh>(std::move(mesh));
+}
 
 TEST(SceneBuilder, numbers_objects_before_lights) {
     SceneBuilder builder;
@@ -101,7 +103,11 @@ INSTANTIATE_TEST_SUITE_P(
     scenes, EveryBadScene,
     testing::Values(
         BadScene{"no_object", [](SceneBuilder &b) { b = SceneBuilder(); }, "the scene has no object"},
-        BadScene{"no_mesh", [](SceneBuilder &b) { b.add_object({"bad", nullptr, {}}); }, "object 1 'bad': has no mesh"},
+        BadScene{"no_mesh",
+                 [](SceneBuilder &b) {
+                     b.add_object({"bad", nullptr, {}});
+                 },
+                 "object 1 'bad': has no mesh"},
         BadScene{"empty_mesh", [](SceneBuilder &b) { add_mesh(b, [](Mesh &m) { m.triangles.clear(); }); },
                  "its mesh has no triangles"},
         BadScene{"index", [](SceneBuilder &b) { add_mesh(b, [](Mesh &m) { m.triangles[4].b = 8; }); },
@@ -110,7 +116,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "vertex 2 is not a finite place"},
         BadScene{"far_vertex", [](SceneBuilder &b) { add_mesh(b, [](Mesh &m) { m.positions[2].y = 1e13f; }); },
                  "within 1e12 of the origin"},
-        BadScene{"no_area", [](SceneBuilder &b) { add_mesh(b, [](Mesh &m) { m.triangles = {{0, 0, 1}}; }); },
+        BadScene{"no_area", [](SceneBuilder &b) { add_mesh(b, [](Mesh &m) {
+                                                      m.triangles = {{0, 0, 1}};
+                                                  }); },
                  "none of its mesh's triangles has an area"},
         BadScene{"ka", [](SceneBuilder &b) { add_material(b, [](Material &m) { m.ambient = -0.1f; }); }, "ka is -0.1"},
         BadScene{"kd", [](SceneBuilder &b) { add_material(b, [](Material &m) { m.diffuse = 1.5f; }); }, "kd is 1.5"},
@@ -122,20 +130,46 @@ INSTANTIATE_TEST_SUITE_P(
                  "kr + kt is 1.2"},
         BadScene{"colour", [](SceneBuilder &b) { add_material(b, [](Material &m) { m.color.g = 2.0f; }); },
                  "colour is 2"},
-        BadScene{"light", [](SceneBuilder &b) { b.add_light({"lamp", shared(cube()), Color(1.0f), INFINITY}); },
+        BadScene{"light",
+                 [](SceneBuilder &b) {
+                     b.add_light({"lamp", shared(cube()), Color(1.0f), INFINITY});
+                 },
                  "light 0 'lamp': intensity is inf"},
-        BadScene{"background", [](SceneBuilder &b) { b.set_background({0, 0, -1}); }, "background is -1"},
+        BadScene{"background",
+                 [](SceneBuilder &b) {
+                     b.set_background({0, 0, -1});
+                 },
+                 "background is -1"},
         BadScene{"ambient", [](SceneBuilder &b) { b.set_ambient(NAN); }, "ambient is nan"},
-        BadScene{"window", [](SceneBuilder &b) { b.set_camera(Camera::through_window({0, 0, 5}, -1, -1, -1, 1)); },
+        BadScene{"window",
+                 [](SceneBuilder &b) {
+                     b.set_camera(Camera::through_window({0, 0, 5}, -1, -1, -1, 1));
+                 },
                  "the camera's window has no area"},
-        BadScene{"eye", [](SceneBuilder &b) { b.set_camera(Camera::through_window({9, 9, 0}, -1, -1, 1, 1)); },
+        BadScene{"eye",
+                 [](SceneBuilder &b) {
+                     b.set_camera(Camera::through_window({9, 9, 0}, -1, -1, 1, 1));
+                 },
                  "the camera's eye lies in the plane of its window"},
-        BadScene{"far_eye", [](SceneBuilder &b) { b.set_camera(Camera::through_window({0, INFINITY, 1}, -1, -1, 1, 1)); },
+        BadScene{"far_eye",
+                 [](SceneBuilder &b) {
+                     b.set_camera(Camera::through_window({0, INFINITY, 1}, -1, -1, 1, 1));
+                 },
                  "the camera's eye is not a finite place"},
-        BadScene{"no_pixels", [](SceneBuilder &b) { b.set_picture({0, 10, 1}); }, "the picture is 0 x 10 pixels"},
-        BadScene{"pixels", [](SceneBuilder &b) { b.set_picture({200000, 200000, 1}); },
+        BadScene{"no_pixels",
+                 [](SceneBuilder &b) {
+                     b.set_picture({0, 10, 1});
+                 },
+                 "the picture is 0 x 10 pixels"},
+        BadScene{"pixels",
+                 [](SceneBuilder &b) {
+                     b.set_picture({200000, 200000, 1});
+                 },
                  "40000000000 pixels, the limit is 67108864", ErrorCode::limit_exceeded},
-        BadScene{"depth", [](SceneBuilder &b) { b.set_picture({10, 10, 1001}); },
+        BadScene{"depth",
+                 [](SceneBuilder &b) {
+                     b.set_picture({10, 10, 1001});
+                 },
                  "1001 recursive rays in a row, the limit is 1000", ErrorCode::limit_exceeded}),
     [](const auto &test) { return test.param.name; });
 

@@ -23,12 +23,12 @@ struct AccelOptions {
 /// What the tree is like. All zero for AccelKind::brute except triangles, bytes and build_seconds.
 struct AccelStatistics {
     uint32_t triangles = 0;
-    uint64_t nodes = 0;      ///< inner nodes and leaves
-    uint64_t leaves = 0;     ///< empty ones included
+    uint64_t nodes = 0;  ///< inner nodes and leaves
+    uint64_t leaves = 0; ///< empty ones included
     uint64_t empty_leaves = 0;
     uint64_t references = 0; ///< triangle ids in all leaves; references / triangles says how often triangles were cut
     uint32_t depth = 0;      ///< of the deepest leaf; a lone leaf has depth 0
-    double sah_cost = 0.0;   ///< expected cost of a random ray in triangle tests (MacDonald & Booth 1990)
+    double sah_cost = 0.0;   ///< expected cost of a random ray, in steps through nodes (MacDonald & Booth 1990)
     uint64_t bytes = 0;      ///< nodes, references and the triangles laid out for tracing
     double build_seconds = 0.0;
 };

@@ -31,15 +31,16 @@ struct ReadOptions {
 /// A scene as it stood in a file, and what the file said besides.
 struct SceneFile {
     std::shared_ptr<const Scene> scene;
-    std::string dialect;                    ///< name of the SDL dialect the file was read as
-    std::string dialect_reason;             ///< why: the directive, and its line, that decided
-    std::optional<std::string> output_file; ///< the `output` directive, as written
-    std::vector<Diagnostic> warnings;       ///< e.g. triangles without area that were left out
+    std::string dialect;                           ///< name of the SDL dialect the file was read as
+    std::string dialect_reason;                    ///< why: the directive, and its line, that decided
+    std::optional<std::string> output_file;        ///< the `output` directive, as written
+    std::vector<Diagnostic> warnings;              ///< e.g. triangles without area that were left out
     std::vector<std::filesystem::path> mesh_files; ///< every OBJ file that was read, each once, in order of first use
 };
 
 /// Reads an SDL file and every mesh it names. Fails with every problem of the file that could be found in one run.
-[[nodiscard]] GLINT_API Result<SceneFile> read_scene(const std::filesystem::path &file, const ReadOptions &options = {});
+[[nodiscard]] GLINT_API Result<SceneFile> read_scene(const std::filesystem::path &file,
+                                                     const ReadOptions &options = {});
 
 /// A mesh as it stood in an OBJ file.
 struct MeshFile {
@@ -48,7 +49,8 @@ struct MeshFile {
 };
 
 /// Reads the faces of a Wavefront OBJ file as one mesh: polygons are cut into triangles, negative (relative) indices
-/// resolved; groups, normals, texture coordinates and materials are checked and left aside. Triangles keep the file's order.
+/// resolved; groups, normals, texture coordinates and materials are checked and left aside. Triangles keep the file's
+/// order.
 [[nodiscard]] GLINT_API Result<MeshFile> read_obj(const std::filesystem::path &file, const ReadOptions &options = {});
 
 } // namespace glint

@@ -61,9 +61,9 @@ struct MeshLight {
 /// evenly, row 0 along its top edge; a pixel's ray goes through the pixel's centre.
 struct GLINT_API Camera {
     Point eye{0.0f, 0.0f, 5.7f};
-    Point top_left{-1.0f, 1.0f, 0.0f};  ///< the window's top left corner
-    Vector right{2.0f, 0.0f, 0.0f};     ///< from the top left corner to the top right one
-    Vector down{0.0f, -2.0f, 0.0f};     ///< from the top left corner to the bottom left one
+    Point top_left{-1.0f, 1.0f, 0.0f}; ///< the window's top left corner
+    Vector right{2.0f, 0.0f, 0.0f};    ///< from the top left corner to the top right one
+    Vector down{0.0f, -2.0f, 0.0f};    ///< from the top left corner to the bottom left one
 
     /// The SDL family's camera: `ortho x0 y0 x1 y1` is the visible rectangle on the plane z = 0, from its lower left to
     /// its upper right corner.
@@ -154,10 +154,10 @@ public:
     SceneBuilder &set_ambient(float ambient);
 
     /// Checks everything and hands the scene over; the builder is empty afterwards.
-    /// Fails, with one diagnostic for each problem, when there is no object, a mesh is missing or empty, an index is out
-    /// of range, a number is not finite, a fraction is outside [0, 1], kr + kt > 1, the camera's window has no area or
-    /// contains the eye's plane, or a limit is passed. Triangles without area are left out and counted; a mesh that has
-    /// no other triangles is an error. A scene without lights is allowed here (readers may be stricter).
+    /// Fails, with one diagnostic for each problem, when there is no object, a mesh is missing or empty, an index is
+    /// out of range, a number is not finite, a fraction is outside [0, 1], kr + kt > 1, the camera's window has no area
+    /// or contains the eye's plane, or a limit is passed. Triangles without area are left out and counted; a mesh that
+    /// has no other triangles is an error. A scene without lights is allowed here (readers may be stricter).
     [[nodiscard]] Result<std::shared_ptr<const Scene>> build();
 
 private:

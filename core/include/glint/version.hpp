@@ -15,11 +15,11 @@ namespace glint {
 
 /// Facts about the library that a report should carry.
 struct BuildInfo {
-    std::string_view version;              ///< "0.1.0"
-    std::string_view compiler;             ///< name and version of the compiler that built the library
-    std::string_view glm_version;          ///< of the headers it was built with
-    std::vector<std::string_view> isas;    ///< instruction sets whose kernels were built in
-    std::string_view isa;                  ///< the one in use on this machine
+    std::string_view version;           ///< "0.1.0"
+    std::string_view compiler;          ///< name and version of the compiler that built the library
+    std::string_view glm_version;       ///< of the headers it was built with
+    std::vector<std::string_view> isas; ///< instruction sets whose kernels were built in
+    std::string_view isa;               ///< the one in use on this machine
 };
 
 [[nodiscard]] GLINT_API BuildInfo build_info();
