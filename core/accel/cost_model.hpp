@@ -20,7 +20,7 @@ public:
 
     /// While the whole tree stays in a cache near the core, triangle tests are what counts, and smaller leaves pay. In
     /// a large tree a step is a cache miss and each further node is memory: larger leaves do.
-    explicit CostModel(uint64_t triangle_count) : intersection_(triangle_count <= 10'000 ? 3.0 : 0.7) {}
+    explicit CostModel(uint64_t triangle_count) : intersection_(triangle_count <= 10'000 ? 2.0 : 0.7) {}
 
     [[nodiscard]] double leaf(uint64_t triangle_count) const {
         return intersection_ * static_cast<double>((triangle_count + leaf_group - 1) / leaf_group * leaf_group);

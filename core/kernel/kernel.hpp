@@ -63,6 +63,7 @@ struct PendingRay {
     Ray ray;
     uint32_t depth; ///< recursive rays before it, itself included
     float weight;
+    uint32_t left_triangle; ///< that it leaves from; no_triangle for a primary ray
 };
 
 /// Memory that a worker reuses from tile to tile.

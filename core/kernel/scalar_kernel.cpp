@@ -35,6 +35,7 @@ struct SurfacePoint {
     glm::vec3 position;
     glm::vec3 normal; ///< faces the viewer
     const SurfaceShading *surface;
+    uint32_t triangle_id;
 };
 
 SurfacePoint surface_point(const KernelScene &scene, const PreparedRay &ray, const Hit &hit) {
@@ -46,6 +47,7 @@ SurfacePoint surface_point(const KernelScene &scene, const PreparedRay &ray, con
                       static_cast<float>(double(ray.org.z) + t * double(ray.dir.z))};
     point.normal = dot(triangle.normal, ray.dir) > 0.0f ? -triangle.normal : triangle.normal;
     point.surface = &scene.surfaces[triangle.surface];
+    point.triangle_id = hit.triangle_id;
     return point;
 }
 
@@ -63,7 +65,10 @@ bool light_reaches(const KernelScene &scene, const LightShading &light, const Su
     const float distance = max_abs(light.position - point.position);
     const glm::vec3 end = offset_point(scene, point, distance, 1.0f);
     const Ray ray{light.position, end - light.position};
-    return !any_hit(scene.geometry, PreparedRay(ray, scene.geometry.bounds), shadow_t_max, light.surface);
+    const auto can_block = [&](uint32_t triangle_id) {
+        return triangle_id != point.triangle_id && scene.geometry.surfaces[triangle_id].surface != light.surface;
+    };
+    return !any_hit(scene.geometry, PreparedRay(ray, scene.geometry.bounds), shadow_t_max, can_block);
 }
 
 /// Ambient, diffuse and specular light at a point; `to_viewer` is a unit vector.
@@ -102,13 +107,13 @@ void add_weighted(Color &sum, float weight, const Color &color) {
 Color trace(const KernelScene &scene, const Ray &primary, uint32_t max_depth, KernelScratch &scratch) {
     Color color(0.0f);
     scratch.pending.clear();
-    scratch.pending.push_back({primary, 0, 1.0f});
+    scratch.pending.push_back({primary, 0, 1.0f, no_triangle});
     while (!scratch.pending.empty()) {
         const PendingRay next = scratch.pending.back();
         scratch.pending.pop_back();
 
         const PreparedRay ray(next.ray, scene.geometry.bounds);
-        const Hit hit = closest_hit(scene.geometry, ray, std::numeric_limits<float>::max());
+        const Hit hit = closest_hit(scene.geometry, ray, std::numeric_limits<float>::max(), next.left_triangle);
         if (hit.triangle_id == no_triangle) {
             add_weighted(color, next.weight, scene.background);
             continue;
@@ -134,8 +139,10 @@ Color trace(const KernelScene &scene, const Ray &primary, uint32_t max_depth, Ke
         if (transmission > 0.0f) {
             // Without an index of refraction in this dialect, light goes straight on.
             ++scratch.rays.secondary;
-            scratch.pending.push_back(
-                {{offset_point(scene, point, 0.0f, -1.0f), ray.dir}, next.depth + 1, next.weight * transmission});
+            scratch.pending.push_back({{offset_point(scene, point, 0.0f, -1.0f), ray.dir},
+                                       next.depth + 1,
+                                       next.weight * transmission,
+                                       hit.triangle_id});
         }
         if (reflection > 0.0f) {
             ++scratch.rays.secondary;
@@ -144,7 +151,8 @@ Color trace(const KernelScene &scene, const Ray &primary, uint32_t max_depth, Ke
                                         ray.dir.z - twice_n_d * point.normal.z};
             scratch.pending.push_back({{offset_point(scene, point, 0.0f, 1.0f), normalize(mirrored)},
                                        next.depth + 1,
-                                       next.weight * reflection});
+                                       next.weight * reflection,
+                                       hit.triangle_id});
         }
     }
     return color;

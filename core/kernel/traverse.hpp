@@ -19,7 +19,6 @@ struct GeometryView {
 };
 
 inline constexpr uint32_t no_triangle = UINT32_MAX;
-inline constexpr uint32_t no_surface = UINT32_MAX;
 
 struct Hit {
     float t;              ///< what hits are compared by
@@ -86,10 +85,13 @@ void walk_tree(const GeometryView &geometry, const PreparedRay &ray, const float
     }
 }
 
-/// The nearest triangle with 0 < t <= t_max; of several at the same t, the one with the lowest id.
-inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max) {
+/// The nearest triangle with 0 < t <= t_max; of several at the same t, the one with the lowest id. A flat triangle
+/// never meets a ray that leaves it, so `left_triangle` (or no_triangle) is passed over.
+inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max,
+                       uint32_t left_triangle = no_triangle) {
     Hit best{t_max, no_triangle, t_max};
     const auto test = [&](uint32_t triangle_id) {
+        if (triangle_id == left_triangle) return;
         const double exact_t = intersect(ray, geometry.corners[triangle_id]);
         const auto t = static_cast<float>(exact_t);
         if (t > 0.0f && (t < best.t || (t == best.t && triangle_id < best.triangle_id))) {
@@ -107,11 +109,13 @@ inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, flo
     return best;
 }
 
-/// Whether any triangle of another surface than `transparent_surface` is met at 0 < t < t_max.
-inline bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, uint32_t transparent_surface) {
+/// Whether any triangle that can_block(triangle_id) allows is met at 0 < t < t_max.
+template <typename CanBlock>
+bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, CanBlock &&can_block) {
     const auto blocks = [&](uint32_t triangle_id) {
+        if (!can_block(triangle_id)) return false;
         const auto t = static_cast<float>(intersect(ray, geometry.corners[triangle_id]));
-        return t > 0.0f && t < t_max && geometry.surfaces[triangle_id].surface != transparent_surface;
+        return t > 0.0f && t < t_max;
     };
     if (!geometry.nodes) {
         for (uint32_t id = 0; id < geometry.triangle_count; ++id) {

@@ -75,6 +75,8 @@ struct BadScene {
     ErrorCode code = ErrorCode::bad_input;
 };
 
+std::ostream &operator<<(std::ostream &out, const BadScene &scene) { return out << scene.name; }
+
 class EveryBadScene : public testing::TestWithParam<BadScene> {};
 
 TEST_P(EveryBadScene, is_refused_with_its_message) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct NamedMesh {
     Mesh mesh;
     bool closed;
 };
+/// How a test's parameter is printed.
+inline std::ostream &operator<<(std::ostream &out, const NamedMesh &mesh) { return out << mesh.name; }
+
 /// All of the above and mixtures of them.
 [[nodiscard]] std::vector<NamedMesh> all_meshes();
 
