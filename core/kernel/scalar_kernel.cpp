@@ -107,11 +107,14 @@ void add_weighted(Color &sum, float weight, const Color &color) {
 Color trace(const KernelScene &scene, const Ray &primary, uint32_t max_depth, KernelScratch &scratch) {
     Color color(0.0f);
     scratch.pending.clear();
-    scratch.pending.push_back({primary, 0, 1.0f, no_triangle});
-    while (!scratch.pending.empty()) {
-        const PendingRay next = scratch.pending.back();
+    PendingRay next{primary, 0, 1.0f, no_triangle};
+    const auto another_ray = [&] {
+        if (scratch.pending.empty()) return false;
+        next = scratch.pending.back();
         scratch.pending.pop_back();
-
+        return true;
+    };
+    do {
         const PreparedRay ray(next.ray, scene.geometry.bounds);
         const Hit hit = closest_hit(scene.geometry, ray, std::numeric_limits<float>::max(), next.left_triangle);
         if (hit.triangle_id == no_triangle) {
@@ -154,7 +157,7 @@ Color trace(const KernelScene &scene, const Ray &primary, uint32_t max_depth, Ke
                                        next.weight * reflection,
                                        hit.triangle_id});
         }
-    }
+    } while (another_ray());
     return color;
 }
 

@@ -26,22 +26,33 @@ struct Hit {
     double exact_t;       ///< what t was rounded from; for the hit point
 };
 
-/// Calls visit(triangle ids, count) for every leaf that the ray may reach before t_max, near leaves first, until a call
-/// returns true. `visit` may lower t_max. Leaves within the ray's slack are visited too.
+/// The part of a ray, as [t_near, t_far], that lies in a box or within the ray's slack of it; empty where t_near >
+/// t_far.
+struct Interval {
+    float t_near, t_far;
+};
+
+inline Interval clip_to_box(const PreparedRay &ray, const Box &box, float t_max) {
+    Interval part{0.0f, t_max};
+    for (int axis = 0; axis < 3; ++axis) {
+        const float t_lo = (box.lo[axis] - ray.org[axis]) * ray.inverse_dir[axis];
+        const float t_hi = (box.hi[axis] - ray.org[axis]) * ray.inverse_dir[axis];
+        const float enter = (t_lo < t_hi ? t_lo : t_hi) - ray.parameter_slack[axis];
+        const float leave = (t_lo < t_hi ? t_hi : t_lo) + ray.parameter_slack[axis];
+        if (enter > part.t_near) part.t_near = enter;
+        if (leave < part.t_far) part.t_far = leave;
+    }
+    return part;
+}
+
+/// Calls visit(triangle ids, count) for every leaf that the given part of the ray may reach before t_max, near leaves
+/// first, until a call returns true. `visit` may lower t_max. Leaves within the ray's slack are visited too.
 ///
 /// Correct because of this: where the exact ray meets a triangle at t, some leaf's cell holds that point and lists the
 /// triangle, and each step below keeps t inside [t_near, t_far] on the way to that cell, whatever was rounded.
 template <typename Visit>
-void walk_tree(const GeometryView &geometry, const PreparedRay &ray, const float &t_max, Visit &&visit) {
-    float t_near = 0.0f, t_far = t_max;
-    for (int axis = 0; axis < 3; ++axis) {
-        const float t_lo = (geometry.bounds.lo[axis] - ray.org[axis]) * ray.inverse_dir[axis];
-        const float t_hi = (geometry.bounds.hi[axis] - ray.org[axis]) * ray.inverse_dir[axis];
-        const float enter = (t_lo < t_hi ? t_lo : t_hi) - ray.parameter_slack[axis];
-        const float leave = (t_lo < t_hi ? t_hi : t_lo) + ray.parameter_slack[axis];
-        if (enter > t_near) t_near = enter;
-        if (leave < t_far) t_far = leave;
-    }
+void walk_tree(const GeometryView &geometry, const PreparedRay &ray, Interval part, const float &t_max, Visit &&visit) {
+    auto [t_near, t_far] = part;
     if (t_near > t_far) return;
 
     struct Pending {
@@ -102,14 +113,16 @@ inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, flo
         for (uint32_t id = 0; id < geometry.triangle_count; ++id) test(id);
         return best;
     }
-    walk_tree(geometry, ray, best.t, [&](const uint32_t *triangle_ids, uint32_t count) {
+    const Interval part = clip_to_box(ray, geometry.bounds, t_max);
+    walk_tree(geometry, ray, part, best.t, [&](const uint32_t *triangle_ids, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) test(triangle_ids[i]);
         return false;
     });
     return best;
 }
 
-/// Whether any triangle that can_block(triangle_id) allows is met at 0 < t < t_max.
+/// Whether any triangle that can_block(triangle_id) allows is met at 0 < t < t_max. Meant for shadow rays, which begin
+/// and end within the scene and so need not be clipped to it.
 template <typename CanBlock>
 bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, CanBlock &&can_block) {
     const auto blocks = [&](uint32_t triangle_id) {
@@ -124,7 +137,7 @@ bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, 
         return false;
     }
     bool blocked = false;
-    walk_tree(geometry, ray, t_max, [&](const uint32_t *triangle_ids, uint32_t count) {
+    walk_tree(geometry, ray, {0.0f, t_max}, t_max, [&](const uint32_t *triangle_ids, uint32_t count) {
         for (uint32_t i = 0; i < count && !blocked; ++i) blocked = blocks(triangle_ids[i]);
         return blocked;
     });
