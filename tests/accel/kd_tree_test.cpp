@@ -1,0 +1,153 @@
+// What the builder makes: the same tree for any number of threads, complete, within its limits.
+#include "accel/kd_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "accel/cost_model.hpp"
+#include "accel/reference.hpp"
+#include "accel/tree_statistics.hpp"
+#include "support/meshes.hpp"
+
+namespace glint::test {
+namespace {
+
+std::vector<TriangleCorners> corners_of(const Mesh &mesh) {
+    return TriangleData::from(*scene_of(mesh)).corners;
+}
+
+/// Calls visit(node, cell, depth) for every node.
+void walk(const KdTree &tree, const std::function<void(const KdNode &, const Box &, uint32_t)> &visit) {
+    const std::function<void(uint32_t, Box, uint32_t)> step = [&](uint32_t index, Box cell, uint32_t depth) {
+        const KdNode &node = tree.nodes.at(index);
+        visit(node, cell, depth);
+        if (node.is_leaf()) return;
+        const auto axis = static_cast<int>(node.axis());
+        ASSERT_GE(node.split(), cell.lo[axis]);
+        ASSERT_LE(node.split(), cell.hi[axis]);
+        ASSERT_GT(node.upper_child(), index + 1);
+        Box lower = cell, upper = cell;
+        lower.hi[axis] = upper.lo[axis] = node.split();
+        step(index + 1, lower, depth + 1);
+        step(node.upper_child(), upper, depth + 1);
+    };
+    step(0, tree.bounds, 0);
+}
+
+TEST(KdTree, does_not_depend_on_the_number_of_threads) {
+    // Large enough for subtrees to be tasks of their own.
+    const std::vector<TriangleCorners> triangles = corners_of(torus(200, 100));
+    const KdTree one = build_kd_tree(triangles, 1);
+    for (const unsigned threads : {2u, 8u}) {
+        const KdTree many = build_kd_tree(triangles, threads);
+        ASSERT_EQ(many.nodes.size(), one.nodes.size());
+        EXPECT_EQ(std::memcmp(many.nodes.data(), one.nodes.data(), one.nodes.size() * sizeof(KdNode)), 0);
+        EXPECT_EQ(many.references, one.references);
+    }
+}
+
+class KdTreeOfEveryMesh : public testing::TestWithParam<NamedMesh> {};
+
+TEST_P(KdTreeOfEveryMesh, lists_each_triangle_in_every_leaf_that_it_enters) {
+    const std::vector<TriangleCorners> triangles = corners_of(GetParam().mesh);
+    const KdTree tree = build_kd_tree(triangles, 2);
+    std::vector<bool> listed(triangles.size(), false);
+    walk(tree, [&](const KdNode &node, const Box &cell, uint32_t depth) {
+        if (!node.is_leaf()) return;
+        ASSERT_LE(depth, max_tree_depth);
+        ASSERT_LE(size_t{node.first_reference()} + node.reference_count(), tree.references.size());
+        std::vector<bool> here(triangles.size(), false);
+        for (uint32_t i = 0; i < node.reference_count(); ++i) {
+            const uint32_t id = tree.references[node.first_reference() + i];
+            ASSERT_LT(id, triangles.size());
+            EXPECT_FALSE(here[id]) << "twice in a leaf";
+            here[id] = listed[id] = true;
+        }
+        // A triangle with its middle strictly inside the cell must be here.
+        for (size_t id = 0; id < triangles.size(); ++id) {
+            const Point middle = (triangles[id].a + triangles[id].b + triangles[id].c) / 3.0f;
+            bool inside = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                const float margin = 1e-4f * (tree.bounds.hi[axis] - tree.bounds.lo[axis]);
+                inside = inside && middle[axis] > cell.lo[axis] + margin && middle[axis] < cell.hi[axis] - margin;
+            }
+            EXPECT_TRUE(here[id] || !inside) << "triangle " << id << " is missing";
+        }
+    });
+    EXPECT_EQ(std::count(listed.begin(), listed.end(), false), 0);
+}
+
+TEST_P(KdTreeOfEveryMesh, has_the_statistics_that_a_count_gives) {
+    const std::vector<TriangleCorners> triangles = corners_of(GetParam().mesh);
+    const KdTree tree = build_kd_tree(triangles, 1);
+    const AccelStatistics statistics = measure_tree(tree, static_cast<uint32_t>(triangles.size()));
+    uint64_t leaves = 0, empty = 0, references = 0;
+    uint32_t deepest = 0;
+    walk(tree, [&](const KdNode &node, const Box &, uint32_t depth) {
+        if (!node.is_leaf()) return;
+        ++leaves;
+        empty += node.reference_count() == 0;
+        references += node.reference_count();
+        deepest = std::max(deepest, depth);
+    });
+    EXPECT_EQ(statistics.nodes, 2 * leaves - 1);
+    EXPECT_EQ(statistics.leaves, leaves);
+    EXPECT_EQ(statistics.empty_leaves, empty);
+    EXPECT_EQ(statistics.references, references);
+    EXPECT_EQ(statistics.references, tree.references.size());
+    EXPECT_EQ(statistics.depth, deepest);
+    EXPECT_GT(statistics.sah_cost, 0.0);
+    EXPECT_LE(statistics.sah_cost, CostModel(triangles.size()).leaf(triangles.size())) << "worse than no tree";
+}
+
+INSTANTIATE_TEST_SUITE_P(meshes, KdTreeOfEveryMesh, testing::ValuesIn(all_meshes()),
+                         [](const auto &test) { return test.param.name; });
+
+TEST(KdTree, sets_triangles_in_a_face_of_the_scene_apart) {
+    // A ground plate of long triangles below a finer terrain: cells above the plate must not list it.
+    Mesh mesh = terrain(30);
+    const auto base = static_cast<uint32_t>(mesh.positions.size());
+    for (int i = 0; i <= 50; ++i) {
+        const float x = -1.0f + static_cast<float>(i) / 25.0f;
+        mesh.positions.push_back({x, -1.0f, -1.0f});
+        mesh.positions.push_back({x, 1.0f, -1.0f});
+    }
+    for (uint32_t i = 0; i < 50; ++i) {
+        mesh.triangles.push_back({base + 2 * i, base + 2 * i + 1, base + 2 * i + 2});
+        mesh.triangles.push_back({base + 2 * i + 1, base + 2 * i + 2, base + 2 * i + 3});
+    }
+    const std::vector<TriangleCorners> triangles = corners_of(mesh);
+    walk(build_kd_tree(triangles, 1), [&](const KdNode &node, const Box &cell, uint32_t) {
+        const bool flat = cell.hi.z == cell.lo.z;
+        EXPECT_TRUE(!node.is_leaf() || flat || node.reference_count() < 50u) << node.reference_count();
+    });
+}
+
+TEST(ClipToCell, keeps_what_is_inside) {
+    const TriangleCorners triangle = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    const Box cell{{1, 1, -1}, {5, 5, 1}};
+    const Box part = clip_to_cell(triangle, cell);
+    EXPECT_EQ(part.lo, glm::vec3(1, 1, 0));
+    EXPECT_EQ(part.hi, glm::vec3(3, 3, 0));
+    EXPECT_TRUE(clip_to_cell(triangle, {{2.5f, 2.5f, -1}, {5, 5, 1}}).empty())
+        << "its box enters this cell, it does not";
+    const Box touching = clip_to_cell(triangle, {{2, 2, 0}, {5, 5, 1}});
+    EXPECT_FALSE(touching.empty()) << "a corner of the cell is on the long edge";
+}
+
+TEST(ClipToCell, never_rounds_inwards) {
+    const TriangleCorners triangle = {{0, 0, 0}, {1, 0.1f, 0.3f}, {0.7f, 1, 0.9f}};
+    const Box cell{{0.1f, -1, -1}, {0.3f, 2, 2}};
+    const Box part = clip_to_cell(triangle, cell);
+    // On the edge from a to b: y = 0.1 x exactly as these floats say.
+    const double y_at_lo = double(0.1f) * double(0.1f);
+    EXPECT_LE(part.lo.y, y_at_lo);
+    EXPECT_GT(std::nextafter(part.lo.y, 1.0f), y_at_lo);
+}
+
+} // namespace
+} // namespace glint::test
