@@ -37,13 +37,16 @@ class Package(unittest.TestCase):
     def test_another_project_finds_links_and_uses_it(self):
         build = self.folder / "consumer"
         configured = self.run_in(self.folder, CMAKE, "-S", CONSUMER, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}",
-                                 f"-DCMAKE_BUILD_TYPE={os.environ['GLINT_BUILD_TYPE']}")
+                                 f"-DCMAKE_BUILD_TYPE={os.environ['GLINT_BUILD_TYPE']}",
+                                 f"-DGLINT_README={SOURCE / 'README.md'}")
         self.run_in(self.folder, CMAKE, "--build", build, "--parallel", "2")
 
         with_core = self.run_in(self.folder, build / "render_with_core")
         self.assertRegex(with_core, r"^\d+\.\d+\.\d+ [0-9a-f]{16}\n$")
         self.assertEqual(self.run_in(self.folder, build / "render_with_shared"), with_core)
         self.run_in(self.folder, build / "show")
+        # The README's program renders a scene of ours, named from the top of the source tree.
+        self.assertRegex(self.run_in(SOURCE, build / "readme"), r"^[0-9a-f]{16}\n$")
         # The header's version and the project's are one.
         self.assertIn(f"package version: {with_core.split()[0]}\n", configured)
 
