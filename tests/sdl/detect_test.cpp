@@ -1,6 +1,7 @@
 // Which dialect a file is taken for.
 #include "sdl/detect.hpp"
 
+#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -21,6 +22,11 @@ struct Case {
     std::string error = {};
     uint32_t error_line = 0;
 };
+
+/// How a test's parameter is printed: the text's first line.
+std::ostream &operator<<(std::ostream &out, const Case &one) {
+    return out << one.text.substr(0, one.text.find('\n'));
+}
 
 std::string other(const std::string &dialect, const std::string &reason) {
     return "this version of Glint reads the dialect mobile2013, and the file is " + dialect + " (" + reason + ")";

@@ -3,6 +3,7 @@
 
 #include <clocale>
 #include <limits>
+#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -55,6 +56,10 @@ struct BadNumber {
     const char *message;
     const char *hint;
 };
+
+std::ostream &operator<<(std::ostream &out, const BadNumber &number) {
+    return out << number.token;
+}
 
 class BadNumbers : public ::testing::TestWithParam<BadNumber> {};
 
