@@ -20,7 +20,9 @@ struct Golden {
     std::string pixels, radiance;
 };
 
-std::ostream &operator<<(std::ostream &out, const Golden &golden) { return out << golden.scene; }
+std::ostream &operator<<(std::ostream &out, const Golden &golden) {
+    return out << golden.scene;
+}
 
 std::vector<Golden> golden_table() {
     std::ifstream file(std::filesystem::path(GLINT_SOURCE_DIR) / "tests" / "golden" / "pictures.txt");

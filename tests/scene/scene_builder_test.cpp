@@ -75,7 +75,9 @@ struct BadScene {
     ErrorCode code = ErrorCode::bad_input;
 };
 
-std::ostream &operator<<(std::ostream &out, const BadScene &scene) { return out << scene.name; }
+std::ostream &operator<<(std::ostream &out, const BadScene &scene) {
+    return out << scene.name;
+}
 
 class EveryBadScene : public testing::TestWithParam<BadScene> {};
 

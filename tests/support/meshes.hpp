@@ -33,7 +33,9 @@ struct NamedMesh {
     bool closed;
 };
 /// How a test's parameter is printed.
-inline std::ostream &operator<<(std::ostream &out, const NamedMesh &mesh) { return out << mesh.name; }
+inline std::ostream &operator<<(std::ostream &out, const NamedMesh &mesh) {
+    return out << mesh.name;
+}
 
 /// All of the above and mixtures of them.
 [[nodiscard]] std::vector<NamedMesh> all_meshes();
