@@ -17,9 +17,9 @@ void TaskGroup::spawn(std::function<void()> task) {
 
 void TaskGroup::run(unsigned threads) {
     {
-        std::vector<std::jthread> helpers;
+        std::vector<std::jthread> others;
         try {
-            for (unsigned i = 1; i < threads; ++i) helpers.emplace_back([this] { work(); });
+            for (unsigned i = 1; i < threads; ++i) others.emplace_back([this] { work(); });
         } catch (const std::system_error &) {
             // The system gives no more threads: go on with those there are.
         }
