@@ -128,7 +128,7 @@ Result<Table> measure_table(std::shared_ptr<const Accel> accel, std::string scen
     Table table{.machine = describe_machine(),
                 .scene = std::move(scene_name),
                 .threads = renderer.threads(),
-                .isa = std::string(renderer.isa()),
+                .isa = std::string(isa_name(renderer.isa())),
                 .surface = surface ? surface->kind() : "none",
                 .gl_description = {},
                 .rows = {}};

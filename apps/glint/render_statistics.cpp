@@ -28,7 +28,7 @@ std::string render_statistics_text(const Renderer &renderer, const RenderStatist
     text += fmt::format("rays     {} ({} primary, {} shadow, {} secondary), {:.2f} Mrays/s\n", render.rays(),
                         render.primary_rays, render.shadow_rays, render.secondary_rays, mrays_per_s);
     text += fmt::format("threads  {}\n", renderer.threads());
-    text += fmt::format("isa      {}\n", renderer.isa());
+    text += fmt::format("isa      {}\n", isa_name(renderer.isa()));
     text += fmt::format("tree     {}\n", tree_text(accel));
     return text;
 }

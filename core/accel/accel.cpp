@@ -19,22 +19,22 @@ std::shared_ptr<const Accel> Accel::build(std::shared_ptr<const Scene> scene, co
     auto impl = std::make_unique<Impl>();
     impl->scene = std::move(scene);
     impl->kind = options.kind;
-    impl->triangles = TriangleData::from(*impl->scene);
+    TriangleData triangles = TriangleData::from(*impl->scene);
     if (options.kind == AccelKind::brute) {
-        impl->tree.bounds = impl->triangles.bounds();
+        impl->tree = single_leaf_tree(triangles.corners);
     } else {
         const unsigned threads =
             options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-        impl->tree = build_kd_tree(impl->triangles.corners, threads);
+        impl->tree = build_kd_tree(triangles.corners, threads);
     }
+    impl->surfaces = std::move(triangles.surfaces);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
     impl->statistics = measure_tree(impl->tree, impl->scene->triangle_count());
     impl->statistics.build_seconds = elapsed.count();
     impl->statistics.bytes = impl->tree.nodes.size() * sizeof(KdNode) +
-                             impl->tree.references.size() * sizeof(uint32_t) +
-                             impl->triangles.corners.size() * sizeof(TriangleCorners) +
-                             impl->triangles.surfaces.size() * sizeof(TriangleSurface);
+                             impl->tree.leaf_words.size() * sizeof(uint32_t) +
+                             impl->surfaces.size() * sizeof(TriangleSurface);
     return std::shared_ptr<const Accel>(new Accel(std::move(impl)));
 }
 

@@ -60,7 +60,16 @@ public:
         Branch top;
         tasks_.spawn([this, &top, cell = std::move(root)] { grow_branch(top, *cell); });
         tasks_.run(threads);
-        lay_out(top, tree);
+        std::vector<uint32_t> references;
+        lay_out(top, tree, references);
+        tree.leaf_words.resize(references.size() * words_per_reference + leaf_padding);
+        for (const KdNode &node : tree.nodes) {
+            if (node.is_leaf()) {
+                const size_t first = node.first_reference();
+                write_leaf(tree.leaf_words.data() + first * words_per_reference, references.data() + first,
+                           node.reference_count(), triangles_);
+            }
+        }
         return tree;
     }
 
@@ -135,26 +144,26 @@ private:
     }
 
     /// Appends a branch's nodes, depth first, and frees it.
-    static void lay_out(Branch &branch, KdTree &tree) {
+    static void lay_out(Branch &branch, KdTree &tree, std::vector<uint32_t> &references) {
         if (!branch.lower) {
             const auto node_base = static_cast<uint32_t>(tree.nodes.size());
-            const auto reference_base = static_cast<uint32_t>(tree.references.size());
+            const auto reference_base = static_cast<uint32_t>(references.size());
             for (const KdNode &node : branch.subtree.nodes) {
                 tree.nodes.push_back(node.is_leaf()
                                          ? KdNode::leaf(node.first_reference() + reference_base, node.reference_count())
                                          : KdNode::inner(node.axis(), node.split(), node.upper_child() + node_base));
             }
-            tree.references.insert(tree.references.end(), branch.subtree.references.begin(),
+            references.insert(references.end(), branch.subtree.references.begin(),
                                    branch.subtree.references.end());
             branch.subtree = {};
             return;
         }
         const size_t node = tree.nodes.size();
         tree.nodes.push_back(KdNode::leaf(0, 0));
-        lay_out(*branch.lower, tree);
+        lay_out(*branch.lower, tree, references);
         branch.lower.reset();
         const auto upper_child = static_cast<uint32_t>(tree.nodes.size());
-        lay_out(*branch.upper, tree);
+        lay_out(*branch.upper, tree, references);
         branch.upper.reset();
         tree.nodes[node] = KdNode::inner(static_cast<uint32_t>(branch.split.axis), branch.split.position, upper_child);
     }
@@ -170,7 +179,18 @@ private:
 KdTree build_kd_tree(const std::vector<TriangleCorners> &triangles, unsigned threads) {
     KdTree tree = Builder(triangles).build(threads);
     tree.nodes.shrink_to_fit();
-    tree.references.shrink_to_fit();
+    return tree;
+}
+
+KdTree single_leaf_tree(const std::vector<TriangleCorners> &triangles) {
+    KdTree tree;
+    for (const TriangleCorners &triangle : triangles) tree.bounds.extend(triangle.bounds());
+    const auto count = static_cast<uint32_t>(triangles.size());
+    std::vector<uint32_t> ids(count);
+    std::iota(ids.begin(), ids.end(), 0u);
+    tree.nodes.push_back(KdNode::leaf(0, count));
+    tree.leaf_words.resize(count * words_per_reference + leaf_padding);
+    write_leaf(tree.leaf_words.data(), ids.data(), count, triangles);
     return tree;
 }
 

@@ -7,6 +7,7 @@
 #include <glint/accel.hpp>
 
 #include "accel/kd_node.hpp"
+#include "accel/leaf_triangles.hpp"
 #include "accel/triangle_data.hpp"
 #include "math/box.hpp"
 
@@ -14,8 +15,13 @@ namespace glint {
 
 struct KdTree {
     Box bounds;                       ///< of all triangles
-    std::vector<KdNode> nodes;        ///< depth-first; node 0 is the root. Empty for AccelKind::brute
-    std::vector<uint32_t> references; ///< triangle ids, leaf after leaf
+    std::vector<KdNode> nodes;        ///< depth-first; node 0 is the root
+    std::vector<uint32_t> leaf_words; ///< triangles, leaf after leaf: see leaf_triangles.hpp
+
+    [[nodiscard]] LeafTriangles leaf(const KdNode &node) const {
+        return {leaf_words.data(), node.first_reference(), node.reference_count()};
+    }
+    [[nodiscard]] size_t reference_count() const { return (leaf_words.size() - leaf_padding) / words_per_reference; }
 };
 
 /// Leaves lie at most this deep, so that a traversal's stack has a fixed size.
@@ -29,5 +35,8 @@ inline constexpr uint32_t max_tree_depth = 60;
 /// SAH KD-Trees"), small ones at every triangle boundary (Wald & Havran 2006, "On building fast kd-Trees for Ray
 /// Tracing, and on doing that in O(N log N)").
 [[nodiscard]] KdTree build_kd_tree(const std::vector<TriangleCorners> &triangles, unsigned threads);
+
+/// A tree that is a single leaf: every ray meets every triangle.
+[[nodiscard]] KdTree single_leaf_tree(const std::vector<TriangleCorners> &triangles);
 
 } // namespace glint

@@ -23,7 +23,7 @@ AccelStatistics measure_tree(const KdTree &tree, uint32_t triangle_count) {
     AccelStatistics statistics;
     statistics.triangles = triangle_count;
     statistics.nodes = tree.nodes.size();
-    statistics.references = tree.references.size();
+    statistics.references = tree.reference_count();
     const double root_area = tree.bounds.half_area();
     std::vector<Visit> stack;
     if (!tree.nodes.empty()) stack.push_back({0, 0, tree.bounds});

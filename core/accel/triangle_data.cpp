@@ -7,12 +7,6 @@
 
 namespace glint {
 
-Box TriangleData::bounds() const {
-    Box box;
-    for (const TriangleCorners &triangle : corners) box.extend(triangle.bounds());
-    return box;
-}
-
 TriangleData TriangleData::from(const Scene &scene) {
     TriangleData data;
     data.corners.reserve(scene.triangle_count());

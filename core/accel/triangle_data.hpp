@@ -36,7 +36,6 @@ struct TriangleData {
     std::vector<TriangleCorners> corners;
     std::vector<TriangleSurface> surfaces;
 
-    [[nodiscard]] Box bounds() const;
     [[nodiscard]] static TriangleData from(const Scene &scene);
 };
 

@@ -10,6 +10,10 @@
 
 namespace glint {
 
+/// A triangle is seen edge on where det, the cosine between ray and normal times |n| |dir|, is below this times
+/// reach^2 |dir|.
+inline constexpr double least_det = 0x1p-26;
+
 namespace detail {
 
 /// Corners relative to the ray's origin, sheared so that the ray runs along z from (0, 0).
@@ -46,11 +50,9 @@ template <typename T> struct ShearedTriangle {
 
     /// Largest distance of a corner from the ray, by coordinate.
     [[nodiscard]] T reach() const {
-        const T a = max(std::abs(ax), std::abs(ay)), b = max(std::abs(bx), std::abs(by));
-        return max(max(a, b), max(std::abs(cx), std::abs(cy)));
+        const T a = std::max(std::abs(ax), std::abs(ay)), b = std::max(std::abs(bx), std::abs(by));
+        return std::max(std::max(a, b), std::max(std::abs(cx), std::abs(cy)));
     }
-
-    static T max(T p, T q) { return p > q ? p : q; }
 
 private:
     void relate(const TriangleCorners &triangle, const PreparedRay &ray) {
@@ -88,17 +90,23 @@ inline double edge_on_depth(const ShearedTriangle<double> &s) {
 
 } // namespace detail
 
-/// Distance t at which the ray meets the closed triangle, in double; NaN where it does not. t may be negative.
+/// Distance t at which the ray meets the closed triangle, NaN where it does not. t may be negative.
 ///
-/// The test of Woop, Benthin & Wald 2013 ("Watertight Ray/Triangle Intersection", JCGT 2-1) in two steps:
-///  1. in float, the three edge functions with a margin for every rounding so far: rejects nearly all misses;
-///  2. in double from the original corners, the edge functions again: decides, zero counts as inside.
+/// The test of Woop, Benthin & Wald 2013 ("Watertight Ray/Triangle Intersection", JCGT 2-1) in three steps:
+///  1. in float, the three edge functions with a margin for every rounding so far: settles nearly all rays;
+///  2. where they are too close to zero, the edge functions again, in double from the original corners: zero counts as
+///     inside;
+///  3. in double, the distance to the triangle's plane, rounded to float at the end.
 /// The paper decides on the signs of step 1 and goes to double only for zeros; that is watertight too, but places the
 /// hit by corners rounded to float, which shows on large triangles and far from the origin, and at grazing angles its
 /// distance may be that of another point of the triangle. Here a neighbour sees the same double numbers for the shared
-/// edge, so no ray slips between the two; and the distance is good to 2^-24 of itself at any angle.
-inline double intersect(const PreparedRay &ray, const TriangleCorners &triangle) {
+/// edge, so no ray slips between the two; and the distance is good to 2^-24 of the way to the farthest corner.
+///
+/// What counts is the outcome of steps 2 and 3. Step 1 never changes it, so a packet kernel may use any filter of its
+/// own in its place and asks here where that filter cannot tell.
+inline float intersect(const PreparedRay &ray, const TriangleCorners &triangle) {
     using detail::ShearedTriangle;
+    bool certain;
     {
         const ShearedTriangle<float> s(triangle, ray);
         const float u = s.cx * s.by - s.cy * s.bx;
@@ -107,22 +115,30 @@ inline double intersect(const PreparedRay &ray, const TriangleCorners &triangle)
         const float least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
         // Each coordinate is off by at most 6 eps M, hence an edge function by (24 + 16) eps M * reach + 72 (eps M)^2;
         // slack is 16 eps M.
-        if (least < 0.0f && most > 0.0f) {
-            const float margin = 3.0f * ray.slack * (s.reach() + ray.slack);
-            if (least < -margin && most > margin) return NAN;
-        }
+        const float margin = 3.0f * ray.slack * (s.reach() + ray.slack);
+        if (least < -margin && most > margin) return NAN;
+        certain = least > margin || most < -margin;
     }
-    const ShearedTriangle<double> s(triangle, ray);
-    const double u = s.cx * s.by - s.cy * s.bx;
-    const double v = s.ax * s.cy - s.ay * s.cx;
-    const double w = s.bx * s.ay - s.by * s.ax;
-    if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return NAN;
-    const double det = (u + v) + w;
-    if (det == 0.0) return NAN;
-    const double reach = s.reach();
-    // The weights' own rounding moves the point by 2^-51 reach^3 / det across the ray: keep that far below slack.
-    if (std::abs(det) < 0x1p-26 * (reach * reach)) return detail::edge_on_depth(s) / ray.permuted_dir.z;
-    return ((u * s.az + v * s.bz) + w * s.cz) / (det * ray.permuted_dir.z);
+    const glm::dvec3 to_a = glm::dvec3(triangle.a) - glm::dvec3(ray.org);
+    const glm::dvec3 e1 = glm::dvec3(triangle.b) - glm::dvec3(triangle.a);
+    const glm::dvec3 e2 = glm::dvec3(triangle.c) - glm::dvec3(triangle.a);
+    const glm::dvec3 n = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x};
+    const glm::dvec3 dir(ray.dir);
+    const double det = (n.x * dir.x + n.y * dir.y) + n.z * dir.z;
+    const double reach = std::max(max_abs(e1), max_abs(e2));
+    // n is good to 2^-52 reach^2 in each component, which moves the point by 2^-50 reach^2 M |dir| / det along the ray:
+    // keep that far below slack, which is 2^-20 M.
+    const bool edge_on = std::abs(det) < least_det * (reach * reach) * std::abs(ray.permuted_dir.z);
+    if (!certain || edge_on) {
+        const ShearedTriangle<double> s(triangle, ray);
+        const double u = s.cx * s.by - s.cy * s.bx;
+        const double v = s.ax * s.cy - s.ay * s.cx;
+        const double w = s.bx * s.ay - s.by * s.ax;
+        if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return NAN;
+        if (u == 0.0 && v == 0.0 && w == 0.0) return NAN;
+        if (edge_on) return static_cast<float>(detail::edge_on_depth(s) / ray.permuted_dir.z);
+    }
+    return static_cast<float>(((n.x * to_a.x + n.y * to_a.y) + n.z * to_a.z) / det);
 }
 
 } // namespace glint

@@ -1,10 +1,12 @@
-// The door to what is compiled per instruction set: a kernel renders one tile, from camera rays to bytes.
+// The door to what is compiled per instruction set: a kernel renders a whole tile, from camera rays to bytes, and answers
+// whole batches of rays.
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
+#include <glint/isa.hpp>
+#include <glint/ray_query.hpp>
 #include <glint/scene.hpp>
 
 #include "kernel/traverse.hpp"
@@ -73,17 +75,21 @@ struct KernelScratch {
 };
 
 using RenderTile = void (*)(const KernelScene &, const KernelFrame &, Tile, KernelScratch &);
+using ClosestHits = void (*)(const GeometryView &, const RayBatch &, const HitBatch &);
+using AnyHits = void (*)(const GeometryView &, const RayBatch &, uint8_t *occluded);
 
-/// The kernel that is written for clarity: scalar, one ray at a time. The others are tested against it, bit by bit.
-void render_tile_scalar(const KernelScene &scene, const KernelFrame &frame, Tile tile, KernelScratch &scratch);
-
-/// A kernel and the name people choose it by.
+/// What is compiled per instruction set.
 struct Kernel {
-    std::string_view isa;
+    Isa isa;
     RenderTile render_tile;
+    ClosestHits closest_hits;
+    AnyHits any_hits;
 };
 
-/// The fastest kernel that this machine can run.
-[[nodiscard]] Kernel best_kernel();
+/// The kernel that is written for clarity, one ray at a time. The others are tested against it, bit by bit.
+extern const Kernel scalar_kernel;
+
+/// The kernel for an available instruction set; the scalar one for any other.
+[[nodiscard]] const Kernel &kernel_for(Isa isa);
 
 } // namespace glint

@@ -22,8 +22,8 @@ namespace {
 /// many such surfaces finite in practice; since weights add up to 1 at most, no more than 4096 rays ever wait.
 constexpr float least_branch_weight = 1.0f / 4096.0f;
 
-/// Surface points are computed in double and rounded to float, so they lie within 2^-24 of their largest coordinate of
-/// the surface; moving them 16 times that along the normal puts them on the viewer's side for certain.
+/// Surface points lie within 3 * 2^-24 of the surface, times the largest length that was rounded on the way to them;
+/// moving them five times that along the normal puts them on the viewer's side for certain.
 constexpr float offset_of_scale = 0x1p-20f;
 
 /// Shadow rays run from the light to the offset point, at t = 1. The direction's rounding may end the ray a few ulps
@@ -34,36 +34,37 @@ constexpr float shadow_t_max = 1.0f - 0x1p-22f;
 struct SurfacePoint {
     glm::vec3 position;
     glm::vec3 normal; ///< faces the viewer
+    float scale;      ///< the largest length that was rounded on the way to the position
     const SurfaceShading *surface;
     uint32_t triangle_id;
 };
 
+float larger(float a, float b) {
+    return a > b ? a : b;
+}
+
 SurfacePoint surface_point(const KernelScene &scene, const PreparedRay &ray, const Hit &hit) {
     const TriangleSurface &triangle = scene.geometry.surfaces[hit.triangle_id];
-    const double t = hit.exact_t;
+    const glm::vec3 way = {hit.t * ray.dir.x, hit.t * ray.dir.y, hit.t * ray.dir.z};
     SurfacePoint point;
-    point.position = {static_cast<float>(double(ray.org.x) + t * double(ray.dir.x)),
-                      static_cast<float>(double(ray.org.y) + t * double(ray.dir.y)),
-                      static_cast<float>(double(ray.org.z) + t * double(ray.dir.z))};
+    point.position = {ray.org.x + way.x, ray.org.y + way.y, ray.org.z + way.z};
+    point.scale = larger(larger(max_abs(point.position), max_abs(way)), scene.offset_floor);
     point.normal = dot(triangle.normal, ray.dir) > 0.0f ? -triangle.normal : triangle.normal;
     point.surface = &scene.surfaces[triangle.surface];
     point.triangle_id = hit.triangle_id;
     return point;
 }
 
-/// The point moved off its surface along the normal; `scale` is the largest length that was rounded on the way.
-glm::vec3 offset_point(const KernelScene &scene, const SurfacePoint &point, float scale, float side) {
-    float largest = max_abs(point.position);
-    if (scale > largest) largest = scale;
-    if (scene.offset_floor > largest) largest = scene.offset_floor;
-    const float offset = side * (offset_of_scale * largest);
+/// The point moved off its surface along the normal.
+glm::vec3 offset_point(const SurfacePoint &point, float scale, float side) {
+    const float offset = side * (offset_of_scale * scale);
     return {point.position.x + point.normal.x * offset, point.position.y + point.normal.y * offset,
             point.position.z + point.normal.z * offset};
 }
 
 bool light_reaches(const KernelScene &scene, const LightShading &light, const SurfacePoint &point) {
     const float distance = max_abs(light.position - point.position);
-    const glm::vec3 end = offset_point(scene, point, distance, 1.0f);
+    const glm::vec3 end = offset_point(point, larger(distance, point.scale), 1.0f);
     const Ray ray{light.position, end - light.position};
     const auto can_block = [&](uint32_t triangle_id) {
         return triangle_id != point.triangle_id && scene.geometry.surfaces[triangle_id].surface != light.surface;
@@ -142,7 +143,7 @@ Color trace(const KernelScene &scene, const Ray &primary, uint32_t max_depth, Ke
         if (transmission > 0.0f) {
             // Without an index of refraction in this dialect, light goes straight on.
             ++scratch.rays.secondary;
-            scratch.pending.push_back({{offset_point(scene, point, 0.0f, -1.0f), ray.dir},
+            scratch.pending.push_back({{offset_point(point, point.scale, -1.0f), ray.dir},
                                        next.depth + 1,
                                        next.weight * transmission,
                                        hit.triangle_id});
@@ -152,7 +153,7 @@ Color trace(const KernelScene &scene, const Ray &primary, uint32_t max_depth, Ke
             const float twice_n_d = 2.0f * dot(point.normal, ray.dir);
             const glm::vec3 mirrored = {ray.dir.x - twice_n_d * point.normal.x, ray.dir.y - twice_n_d * point.normal.y,
                                         ray.dir.z - twice_n_d * point.normal.z};
-            scratch.pending.push_back({{offset_point(scene, point, 0.0f, 1.0f), normalize(mirrored)},
+            scratch.pending.push_back({{offset_point(point, point.scale, 1.0f), normalize(mirrored)},
                                        next.depth + 1,
                                        next.weight * reflection,
                                        hit.triangle_id});
@@ -161,9 +162,7 @@ Color trace(const KernelScene &scene, const Ray &primary, uint32_t max_depth, Ke
     return color;
 }
 
-} // namespace
-
-void render_tile_scalar(const KernelScene &scene, const KernelFrame &frame, Tile tile, KernelScratch &scratch) {
+void render_tile(const KernelScene &scene, const KernelFrame &frame, Tile tile, KernelScratch &scratch) {
     const Camera &camera = frame.camera;
     const float inverse_width = 1.0f / static_cast<float>(frame.width_px);
     const float inverse_height = 1.0f / static_cast<float>(frame.height_px);
@@ -187,5 +186,29 @@ void render_tile_scalar(const KernelScene &scene, const KernelFrame &frame, Tile
         }
     }
 }
+
+Ray ray_of(const RayBatch &rays, size_t i) {
+    return {{rays.org_x[i], rays.org_y[i], rays.org_z[i]}, {rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]}};
+}
+
+void closest_hits(const GeometryView &geometry, const RayBatch &rays, const HitBatch &hits) {
+    for (size_t i = 0; i < rays.count; ++i) {
+        const Hit hit = closest_hit(geometry, PreparedRay(ray_of(rays, i), geometry.bounds), rays.t_max[i]);
+        hits.t[i] = hit.t;
+        hits.triangle_id[i] = hit.triangle_id;
+    }
+}
+
+void any_hits(const GeometryView &geometry, const RayBatch &rays, uint8_t *occluded) {
+    const auto everything = [](uint32_t) { return true; };
+    for (size_t i = 0; i < rays.count; ++i) {
+        const PreparedRay ray(ray_of(rays, i), geometry.bounds);
+        occluded[i] = any_hit(geometry, ray, rays.t_max[i], everything) ? 1 : 0;
+    }
+}
+
+} // namespace
+
+const Kernel scalar_kernel = {Isa::scalar, render_tile, closest_hits, any_hits};
 
 } // namespace glint

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include <glint/ray_query.hpp>
+
 #include "accel/kd_tree.hpp"
 #include "kernel/intersect.hpp"
 
@@ -10,20 +12,16 @@ namespace glint {
 
 /// What is traced against. Plain pointers: shared by all kernels, owned by the Accel.
 struct GeometryView {
-    const KdNode *nodes; ///< nullptr: no tree, every ray meets every triangle
-    const uint32_t *references;
-    const TriangleCorners *corners;
-    const TriangleSurface *surfaces;
+    const KdNode *nodes;
+    const uint32_t *leaf_words;      ///< see leaf_triangles.hpp
+    const TriangleSurface *surfaces; ///< by triangle_id
     uint32_t triangle_count;
     Box bounds;
 };
 
-inline constexpr uint32_t no_triangle = UINT32_MAX;
-
 struct Hit {
-    float t;              ///< what hits are compared by
+    float t;
     uint32_t triangle_id; ///< no_triangle where nothing was hit
-    double exact_t;       ///< what t was rounded from; for the hit point
 };
 
 /// The part of a ray, as [t_near, t_far], that lies in a box or within the ray's slack of it; empty where t_near >
@@ -45,7 +43,7 @@ inline Interval clip_to_box(const PreparedRay &ray, const Box &box, float t_max)
     return part;
 }
 
-/// Calls visit(triangle ids, count) for every leaf that the given part of the ray may reach before t_max, near leaves
+/// Calls visit(leaf) for every leaf that the given part of the ray may reach before t_max, near leaves
 /// first, until a call returns true. `visit` may lower t_max. Leaves within the ray's slack are visited too.
 ///
 /// Correct because of this: where the exact ray meets a triangle at t, some leaf's cell holds that point and lists the
@@ -83,9 +81,7 @@ void walk_tree(const GeometryView &geometry, const PreparedRay &ray, Interval pa
             }
             continue;
         }
-        if (node.reference_count() > 0 && visit(geometry.references + node.first_reference(), node.reference_count())) {
-            return;
-        }
+        if (visit(LeafTriangles(geometry.leaf_words, node.first_reference(), node.reference_count()))) return;
         do {
             if (pending == 0) return;
             --pending;
@@ -100,22 +96,15 @@ void walk_tree(const GeometryView &geometry, const PreparedRay &ray, Interval pa
 /// never meets a ray that leaves it, so `left_triangle` (or no_triangle) is passed over.
 inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max,
                        uint32_t left_triangle = no_triangle) {
-    Hit best{t_max, no_triangle, t_max};
-    const auto test = [&](uint32_t triangle_id) {
-        if (triangle_id == left_triangle) return;
-        const double exact_t = intersect(ray, geometry.corners[triangle_id]);
-        const auto t = static_cast<float>(exact_t);
-        if (t > 0.0f && (t < best.t || (t == best.t && triangle_id < best.triangle_id))) {
-            best = {t, triangle_id, exact_t};
-        }
-    };
-    if (!geometry.nodes) {
-        for (uint32_t id = 0; id < geometry.triangle_count; ++id) test(id);
-        return best;
-    }
+    Hit best{t_max, no_triangle};
     const Interval part = clip_to_box(ray, geometry.bounds, t_max);
-    walk_tree(geometry, ray, part, best.t, [&](const uint32_t *triangle_ids, uint32_t count) {
-        for (uint32_t i = 0; i < count; ++i) test(triangle_ids[i]);
+    walk_tree(geometry, ray, part, best.t, [&](const LeafTriangles &leaf) {
+        for (uint32_t i = 0; i < leaf.count(); ++i) {
+            const uint32_t id = leaf.triangle_id(i);
+            if (id == left_triangle) continue;
+            const float t = intersect(ray, leaf.corners(i));
+            if (t > 0.0f && (t < best.t || (t == best.t && id < best.triangle_id))) best = {t, id};
+        }
         return false;
     });
     return best;
@@ -125,20 +114,13 @@ inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, flo
 /// and end within the scene and so need not be clipped to it.
 template <typename CanBlock>
 bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, CanBlock &&can_block) {
-    const auto blocks = [&](uint32_t triangle_id) {
-        if (!can_block(triangle_id)) return false;
-        const auto t = static_cast<float>(intersect(ray, geometry.corners[triangle_id]));
-        return t > 0.0f && t < t_max;
-    };
-    if (!geometry.nodes) {
-        for (uint32_t id = 0; id < geometry.triangle_count; ++id) {
-            if (blocks(id)) return true;
-        }
-        return false;
-    }
     bool blocked = false;
-    walk_tree(geometry, ray, {0.0f, t_max}, t_max, [&](const uint32_t *triangle_ids, uint32_t count) {
-        for (uint32_t i = 0; i < count && !blocked; ++i) blocked = blocks(triangle_ids[i]);
+    walk_tree(geometry, ray, {0.0f, t_max}, t_max, [&](const LeafTriangles &leaf) {
+        for (uint32_t i = 0; i < leaf.count() && !blocked; ++i) {
+            if (!can_block(leaf.triangle_id(i))) continue;
+            const float t = intersect(ray, leaf.corners(i));
+            blocked = t > 0.0f && t < t_max;
+        }
         return blocked;
     });
     return blocked;

@@ -26,9 +26,9 @@ template <typename T> [[nodiscard]] T component(const glm::vec<3, T> &v, int axi
 }
 
 /// The largest absolute component.
-[[nodiscard]] inline float max_abs(const glm::vec3 &a) {
-    const float x = std::abs(a.x), y = std::abs(a.y), z = std::abs(a.z);
-    const float xy = x > y ? x : y;
+template <typename T> [[nodiscard]] T max_abs(const glm::vec<3, T> &a) {
+    const T x = std::abs(a.x), y = std::abs(a.y), z = std::abs(a.z);
+    const T xy = x > y ? x : y;
     return xy > z ? xy : z;
 }
 

@@ -3,7 +3,7 @@
 
 #include <glm/detail/setup.hpp>
 
-#include "kernel/kernel.hpp"
+#include <glint/isa.hpp>
 
 #define GLINT_TEXT_OF(x) #x
 #define GLINT_TEXT(x) GLINT_TEXT_OF(x)
@@ -23,8 +23,8 @@ BuildInfo build_info() {
 #endif
     info.glm_version = GLINT_TEXT(GLM_VERSION_MAJOR) "." GLINT_TEXT(GLM_VERSION_MINOR) "." GLINT_TEXT(
         GLM_VERSION_PATCH) "." GLINT_TEXT(GLM_VERSION_REVISION);
-    info.isas = {best_kernel().isa};
-    info.isa = best_kernel().isa;
+    for (const Isa isa : available_isas()) info.isas.push_back(isa_name(isa));
+    info.isa = isa_name(best_isa());
     return info;
 }
 

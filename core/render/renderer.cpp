@@ -27,7 +27,7 @@ struct Renderer::Impl {
     Impl(std::shared_ptr<const Accel> accel_, const RendererOptions &options)
         : accel(std::move(accel_)),
           tables(*accel),
-          kernel(best_kernel()),
+          kernel(kernel_for(options.isa)),
           pool(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
           workers(pool.threads()) {}
 
@@ -38,7 +38,7 @@ struct Renderer::Impl {
 
     std::shared_ptr<const Accel> accel;
     ShadingTables tables;
-    Kernel kernel;
+    const Kernel &kernel;
     WorkerPool pool;
     std::vector<Worker> workers;
     std::mutex one_render;
@@ -54,7 +54,7 @@ unsigned Renderer::threads() const {
 const Accel &Renderer::accel() const {
     return *impl_->accel;
 }
-std::string_view Renderer::isa() const {
+Isa Renderer::isa() const {
     return impl_->kernel.isa;
 }
 

@@ -1,7 +1,7 @@
 // A scene's materials and lights, arranged for the kernels.
 #include "render/shading_tables.hpp"
 
-#include "accel/accel_impl.hpp"
+#include "render/geometry_view.hpp"
 
 namespace glint {
 
@@ -35,21 +35,15 @@ ShadingTables::ShadingTables(const Accel &accel) : accel_(accel) {
 }
 
 KernelScene ShadingTables::kernel_scene() const {
-    const Accel::Impl &accel = accel_.impl();
     KernelScene scene{};
-    scene.geometry.nodes = accel.tree.nodes.empty() ? nullptr : accel.tree.nodes.data();
-    scene.geometry.references = accel.tree.references.data();
-    scene.geometry.corners = accel.triangles.corners.data();
-    scene.geometry.surfaces = accel.triangles.surfaces.data();
-    scene.geometry.triangle_count = accel.scene->triangle_count();
-    scene.geometry.bounds = accel.tree.bounds;
+    scene.geometry = view_of(accel_);
     scene.surfaces = surfaces_.data();
     scene.lights = lights_.data();
     scene.light_count = static_cast<uint32_t>(lights_.size());
-    scene.background = accel.scene->background();
+    scene.background = accel_.scene().background();
     // Points near the world's origin have small coordinates but no smaller errors: let no offset fall below 2^-28 of
     // the scene's reach.
-    const Box &bounds = accel.tree.bounds;
+    const Box &bounds = scene.geometry.bounds;
     const float lo = max_abs(bounds.lo), hi = max_abs(bounds.hi);
     scene.offset_floor = 0x1p-8f * (lo > hi ? lo : hi);
     return scene;

@@ -1,13 +1,13 @@
 // What the kernels trace against, from a public Accel.
 #pragma once
 
-#include "render/shading_tables.hpp"
+#include "render/geometry_view.hpp"
 
 namespace glint::test {
 
 /// Valid while the accel lives.
 [[nodiscard]] inline GeometryView geometry_of(const Accel &accel) {
-    return ShadingTables(accel).kernel_scene().geometry;
+    return view_of(accel);
 }
 
 } // namespace glint::test

@@ -20,16 +20,16 @@ struct AccelOptions {
     unsigned threads = 0; ///< threads that build; 0 = one a processor. The tree does not depend on it
 };
 
-/// What the tree is like. All zero for AccelKind::brute except triangles, bytes and build_seconds.
+/// What the tree is like. AccelKind::brute is a tree of one leaf.
 struct AccelStatistics {
     uint32_t triangles = 0;
     uint64_t nodes = 0;  ///< inner nodes and leaves
     uint64_t leaves = 0; ///< empty ones included
     uint64_t empty_leaves = 0;
-    uint64_t references = 0; ///< triangle ids in all leaves; references / triangles says how often triangles were cut
+    uint64_t references = 0; ///< triangles in all leaves; references / triangles says how often triangles were cut
     uint32_t depth = 0;      ///< of the deepest leaf; a lone leaf has depth 0
     double sah_cost = 0.0;   ///< expected cost of a random ray, in steps through nodes (MacDonald & Booth 1990)
-    uint64_t bytes = 0;      ///< nodes, references and the triangles laid out for tracing
+    uint64_t bytes = 0;      ///< nodes, leaves with their triangles, and what a hit needs to know of its triangle
     double build_seconds = 0.0;
 };
 

@@ -3,6 +3,8 @@
 
 #include <glint/accel.hpp>
 #include <glint/framebuffer.hpp>
+#include <glint/isa.hpp>
+#include <glint/ray_query.hpp>
 #include <glint/read.hpp>
 #include <glint/renderer.hpp>
 #include <glint/result.hpp>

@@ -5,17 +5,18 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string_view>
 
 #include <glint/accel.hpp>
 #include <glint/export.hpp>
 #include <glint/framebuffer.hpp>
+#include <glint/isa.hpp>
 #include <glint/scene.hpp>
 
 namespace glint {
 
 struct RendererOptions {
     unsigned threads = 0; ///< that trace, the calling one included; 0 = one a processor
+    Isa isa = best_isa(); ///< one of available_isas(); any other counts as Isa::scalar
 };
 
 struct RenderOptions {
@@ -69,8 +70,8 @@ public:
 
     [[nodiscard]] unsigned threads() const;
     [[nodiscard]] const Accel &accel() const;
-    /// Name of the instruction set whose kernel traces: "scalar", ...
-    [[nodiscard]] std::string_view isa() const;
+    /// The instruction set whose kernel traces.
+    [[nodiscard]] Isa isa() const;
 
 private:
     struct Impl;
