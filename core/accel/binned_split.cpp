@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t most_bins = 32;
 /// More references than this are judged by so many of them, spread evenly.
-constexpr size_t sample_size = 1024;
+constexpr size_t sample_size = 8192;
 
 /// The references that begin and end in one slice of the cell, and how far the slice's clear ends reach: between its
 /// outermost boundaries and its own borders nothing begins or ends, so those boundaries are better planes.
@@ -28,14 +28,15 @@ struct Bins {
 } // namespace
 
 Split find_binned_split(std::span<const Reference> references, const Box &cell, const CostModel &cost) {
-    const auto count = static_cast<uint32_t>(references.size());
+    const auto count = static_cast<int32_t>(references.size());
     const size_t samples = std::min(references.size(), sample_size);
-    const uint32_t bin_count = samples < 128 ? most_bins / 2 : most_bins;
+    const uint32_t bin_count = samples < 64 ? most_bins / 4 : most_bins;
     Bins bins[3];
-    float scale[3];
+    float base[6], scale[6];
     for (int axis = 0; axis < 3; ++axis) {
         const float extent = component(cell.hi, axis) - component(cell.lo, axis);
-        scale[axis] = extent > 1e-30f ? static_cast<float>(bin_count) / extent : 0.0f;
+        base[axis] = base[axis + 3] = component(cell.lo, axis);
+        scale[axis] = scale[axis + 3] = extent > 1e-30f ? static_cast<float>(bin_count) / extent : 0.0f;
     }
     const float last_bin = static_cast<float>(bin_count - 1);
     const size_t step = references.size() / samples;
@@ -44,30 +45,30 @@ Split find_binned_split(std::span<const Reference> references, const Box &cell, 
         // Not just every n-th: meshes repeat themselves.
         random = random * 1664525u + 1013904223u; // Numerical Recipes' generator
         const Reference &reference = references[i * step + (step > 1 ? (random >> 8) % step : 0)];
+        const float *const bounds = &reference.bounds.lo.x;
+        int32_t bin[6];
+        for (int k = 0; k < 6; ++k) bin[k] = static_cast<int32_t>(std::min((bounds[k] - base[k]) * scale[k], last_bin));
         for (int axis = 0; axis < 3; ++axis) {
-            const float lo = component(reference.bounds.lo, axis), hi = component(reference.bounds.hi, axis);
-            const float cell_lo = component(cell.lo, axis);
-            const auto begin_bin = static_cast<int32_t>(std::min((lo - cell_lo) * scale[axis], last_bin));
-            const auto end_bin = static_cast<int32_t>(std::min((hi - cell_lo) * scale[axis], last_bin));
             Bins &b = bins[axis];
-            Bin &begin = b.bins[begin_bin], &end = b.bins[end_bin];
+            Bin &begin = b.bins[bin[axis]], &end = b.bins[bin[axis + 3]];
             ++begin.begins;
-            begin.first_begin = std::min(begin.first_begin, lo);
+            begin.first_begin = std::min(begin.first_begin, bounds[axis]);
             ++end.ends;
-            end.last_end = std::max(end.last_end, hi);
-            b.in_low_face += hi <= cell_lo;
-            b.in_high_face += lo >= component(cell.hi, axis);
+            end.last_end = std::max(end.last_end, bounds[axis + 3]);
+            b.in_low_face += bounds[axis + 3] <= base[axis];
+            b.in_high_face += bounds[axis] >= component(cell.hi, axis);
         }
     }
 
     const float weight = static_cast<float>(count) / static_cast<float>(samples);
+    const CellSurface surface(cell);
     Split best;
     for (int axis = 0; axis < 3; ++axis) {
-        const Slices slices(cell, axis);
+        const Slices slices = surface.across(axis);
         if (slices.flat()) continue;
         const auto offer = [&](float plane, bool planar_to_lower, uint32_t lower_samples, uint32_t upper_samples) {
-            const auto lower = static_cast<uint32_t>(weight * static_cast<float>(lower_samples));
-            const auto upper = static_cast<uint32_t>(weight * static_cast<float>(upper_samples));
+            const auto lower = static_cast<int32_t>(weight * static_cast<float>(lower_samples));
+            const auto upper = static_cast<int32_t>(weight * static_cast<float>(upper_samples));
             const float c = cost.split(slices.lower_share(plane), lower, slices.upper_share(plane), upper);
             if (c < best.cost) best = {c, plane, axis, planar_to_lower, lower, upper};
         };
@@ -84,7 +85,7 @@ Split find_binned_split(std::span<const Reference> references, const Box &cell, 
                 const uint32_t upper = all - ended - bin.ends;
                 offer(bin.last_end, true, std::max(all - upper, begun + (apart ? 0 : bin.begins)), upper);
             }
-            if (bin.begins > 0 && bin.first_begin > slices.lo) {
+            if ( bin.begins > 0 && bin.first_begin > slices.lo) {
                 offer(bin.first_begin, false, begun, std::max(all - begun, all - ended - (apart ? bin.ends : 0)));
             }
             begun += bin.begins;
