@@ -88,6 +88,8 @@ struct Kernel {
 
 /// The kernel that is written for clarity, one ray at a time. The others are tested against it, bit by bit.
 extern const Kernel scalar_kernel;
+/// Kernels on packets of rays, where they were built in: see packet/.
+extern const Kernel sse4_kernel, avx2_kernel, avx512_kernel, neon_kernel, wasm_kernel;
 
 /// The kernel for an available instruction set; the scalar one for any other.
 [[nodiscard]] const Kernel &kernel_for(Isa isa);
