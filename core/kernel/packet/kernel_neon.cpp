@@ -4,6 +4,7 @@
 
 namespace glint {
 
-const Kernel neon_kernel = {Isa::neon, HWY_NAMESPACE::render_tile, HWY_NAMESPACE::closest_hits, HWY_NAMESPACE::any_hits};
+const Kernel neon_kernel = {Isa::neon, HWY_NAMESPACE::scratch_bytes, HWY_NAMESPACE::render_tile,
+                             HWY_NAMESPACE::closest_hits, HWY_NAMESPACE::any_hits};
 
 } // namespace glint
