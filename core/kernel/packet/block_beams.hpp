@@ -1,6 +1,7 @@
 // A beam around each block of a group: tells which blocks of rays a triangle can concern.
 #pragma once
 
+#include "kernel/intersect.hpp"
 #include "kernel/packet/beam.hpp"
 
 namespace glint::HWY_NAMESPACE {
@@ -98,7 +99,7 @@ HWY_INLINE float block_end(const RayGroup &rays, uint32_t block, uint32_t bits, 
     for (uint32_t part = 0; part < block_size; part += lane_count) {
         const uint32_t ray = block * block_size + part;
         const FloatMask lanes = mask_of((bits >> part) & all_lanes);
-        Floats z = hn::Load(floats, rays.t + ray) * hn::Load(floats, dir_z + ray);
+        Floats z = hn::Load(floats, rays.t + ray) * splat(1.0f + distance_error) * hn::Load(floats, dir_z + ray);
         if constexpr (!shares_origin) z = z + (hn::Load(floats, org_z + ray) - splat(axes.base_z()));
         end = hn::Max(end, hn::IfThenElse(lanes, z * splat(axes.sign), end));
     }

@@ -31,10 +31,12 @@ public:
         beam_.z_end = largest_end();
     }
 
-    HWY_INLINE void run() {
+    /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so far
+    /// stands, and makes the next attempt with fewer rays cheaper.
+    HWY_INLINE bool run(uint32_t budget) {
         const GeometryView &geometry = question_.geometry;
         Cell cell = root_cell(geometry.bounds);
-        if (!enter(cell)) return;
+        if (!enter(cell)) return true;
         struct Pending {
             uint32_t node;
             Cell cell;
@@ -45,6 +47,7 @@ public:
         const BeamAxes &axes = beam_.axes;
         while (true) {
             const KdNode node = geometry.nodes[index];
+            if (++steps_ > budget) return false;
             if (!node.is_leaf()) {
                 const auto axis = static_cast<int>(node.axis());
                 const uint32_t lower = index + 1, upper = node.upper_child();
@@ -101,10 +104,10 @@ public:
                     }
                 }
             } else if (visit_leaf(node)) {
-                return;
+                return true;
             }
             do {
-                if (pending == 0) return;
+                if (pending == 0) return true;
                 --pending;
             } while (stack[pending].cell.z_lo > beam_.z_end);
             index = stack[pending].node;
@@ -153,6 +156,7 @@ private:
         for (uint32_t first = 0; first < count; first += lane_count) {
             const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
             uint32_t entered = triangles_in_beam(beam_, BeamCorners(beam_.axes, words, count, first)) & valid;
+            steps_ += 2 * static_cast<uint32_t>(__builtin_popcount(entered));
             for (; entered != 0; entered &= entered - 1) test(words, count, first + lowest_bit(entered));
         }
         if (dirty_blocks_ == 0) return false;
@@ -178,23 +182,23 @@ private:
             blocks = blocks_.entered_by(beam_.axes, triangle.corners);
         }
         if constexpr (shares_origin) {
-            const TriangleFromPoint test(triangle, rays_.shared_origin, beam_.dir_reach);
+            TriangleFromPoint test(triangle, rays_.shared_origin, beam_.dir_reach);
             for (; blocks != 0; blocks &= blocks - 1) {
                 test_block(triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); },
-                           [&](uint32_t ray) { return test.distance(rays_.dir(ray)); });
+                           [&](uint32_t ray) { return test.distances(rays_.dir(ray)); });
             }
         } else {
             const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
             for (; blocks != 0; blocks &= blocks - 1) {
                 test_block(triangle, lowest_bit(blocks),
                            [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
-                           [&](uint32_t ray) { return test.distance(rays_.org(ray), rays_.dir(ray)); });
+                           [&](uint32_t ray) { return test.distances(rays_.org(ray), rays_.dir(ray)); });
             }
         }
     }
 
-    template <typename Filter, typename Distance>
-    HWY_INLINE void test_block(const TriangleSetup &triangle, uint32_t block, Filter &&filter, Distance &&distance) {
+    template <typename Filter, typename Distances>
+    HWY_INLINE void test_block(const TriangleSetup &triangle, uint32_t block, Filter &&filter, Distances &&distances) {
         const uint32_t bits = selection_.blocks[block];
         for (uint32_t part = 0; part < block_size; part += lane_count) {
             const uint32_t lanes = (bits >> part) & all_lanes;
@@ -203,8 +207,9 @@ private:
             const FilterResult result = filter(ray);
             const uint32_t possible = bits_of(result.possible) & lanes;
             if (possible == 0) continue;
-            Floats t = distance(ray);
-            const uint32_t uncertain = possible & ~bits_of(result.certain);
+            const PlaneDistances plane = distances(ray);
+            Floats t = plane.t;
+            const uint32_t uncertain = possible & ~bits_of(hn::And(result.certain, plane.valid));
             if (uncertain != 0) t = with_exact_distances(triangle, ray, uncertain, t);
             const Floats best = hn::Load(floats, rays_.t + ray);
             const Uints id = hn::Set(uints, triangle.id);
@@ -268,6 +273,7 @@ private:
     RaySelection &selection_;
     Beam beam_;
     float reach_;
+    uint32_t steps_ = 0;
     uint32_t tested_ = 0;
     uint32_t dirty_blocks_ = 0;
     uint32_t seen_[seen_slots];

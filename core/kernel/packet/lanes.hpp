@@ -42,7 +42,7 @@ template <typename T> HWY_INLINE T larger(T a, T b) {
     return a > b ? a : b;
 }
 HWY_INLINE float magnitude(float a) {
-    return a < 0.0f ? -a : a;
+    return __builtin_fabsf(a);
 }
 HWY_INLINE uint32_t lowest_bit(uint32_t bits) {
     return static_cast<uint32_t>(__builtin_ctz(bits));
@@ -99,6 +99,15 @@ HWY_INLINE Floats dot(const Points &a, const Points &b) {
 struct Point3 {
     float x, y, z;
 };
+HWY_INLINE Point3 cross(const Point3 &a, const Point3 &b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+HWY_INLINE float max_abs(const Point3 &p) {
+    return larger(larger(magnitude(p.x), magnitude(p.y)), magnitude(p.z));
+}
+HWY_INLINE float sum_abs(const Point3 &p) {
+    return (magnitude(p.x) + magnitude(p.y)) + magnitude(p.z);
+}
 HWY_INLINE Points splat(const Point3 &p) {
     return {splat(p.x), splat(p.y), splat(p.z)};
 }

@@ -39,7 +39,7 @@ public:
     /// True when something was hit; the closest hit is then in t() and triangle_id().
     HWY_INLINE bool run() {
         const GeometryView &geometry = question_.geometry;
-        float t_near = 0.0f, t_far = best_t_;
+        float t_near = 0.0f, t_far = best_t_ + distance_error * best_t_;
         for (int axis = 0; axis < 3; ++axis) {
             const float lo = axis == 0 ? geometry.bounds.lo.x : axis == 1 ? geometry.bounds.lo.y : geometry.bounds.lo.z;
             const float hi = axis == 0 ? geometry.bounds.hi.x : axis == 1 ? geometry.bounds.hi.y : geometry.bounds.hi.z;
@@ -82,7 +82,7 @@ public:
             do {
                 if (pending == 0) return hit_;
                 --pending;
-            } while (stack[pending].t_near > best_t_);
+            } while (stack[pending].t_near > best_t_ + distance_error * best_t_);
             index = stack[pending].node;
             t_near = stack[pending].t_near;
             t_far = stack[pending].t_far;
@@ -133,16 +133,15 @@ private:
             return;
         }
         const TriangleSetup triangle(words, count, i);
-        float t;
+        float t = 0.0f;
         if (certain) {
-            const double x = triangle.corners[0] - double(ray_.org[0]), y = triangle.corners[1] - double(ray_.org[1]),
-                         z = triangle.corners[2] - double(ray_.org[2]);
-            const double det = (triangle.n_x * double(ray_.dir[0]) + triangle.n_y * double(ray_.dir[1])) +
-                               triangle.n_z * double(ray_.dir[2]);
-            t = static_cast<float>(((triangle.n_x * x + triangle.n_y * y) + triangle.n_z * z) / det);
-        } else {
-            t = exact_distance(ray_.org, ray_.dir, triangle.corners, question_.geometry.bounds);
+            const ExactPlane plane(triangle);
+            const Point3 n = plane.normal();
+            const float det = (n.x * ray_.dir[0] + n.y * ray_.dir[1]) + n.z * ray_.dir[2];
+            certain = !(magnitude(det) < least_slope * sum_abs(n) * ray_.dir_reach);
+            t = plane.offset(triangle, {ray_.org[0], ray_.org[1], ray_.org[2]}) / det;
         }
+        if (!certain) t = exact_distance(ray_.org, ray_.dir, triangle.corners, question_.geometry.bounds);
         if (!(t > 0.0f)) return;
         if (t < best_t_ || (!any_hit && t == best_t_ && id < best_id_)) {
             best_t_ = t;

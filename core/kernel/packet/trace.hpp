@@ -5,12 +5,16 @@
 
 namespace glint::HWY_NAMESPACE {
 
-/// A beam wider than this (by slope, from side to side) is taken apart into blocks, a block's into rays: measured, see
-/// docs/performance.md.
-inline constexpr float widest_group = 0.35f;
-inline constexpr float widest_block = 0.5f;
+/// A beam wider than this (by slope, from side to side) is not tried.
+inline constexpr float widest_beam = 0.7f;
 /// Fewer rays than this are not worth a beam.
-inline constexpr uint32_t fewest_in_beam = 3;
+inline constexpr uint32_t fewest_in_beam = 4;
+/// Steps that a beam may take, by the rays in it: more than that and it is taken apart. Measured, see
+/// docs/performance.md.
+#ifndef BUDGET
+#define BUDGET 6
+#endif
+inline constexpr uint32_t steps_per_ray = BUDGET, steps_at_least = 60;
 
 template <bool shares_origin, bool any_hit>
 HWY_NOINLINE void trace_singly(const TraceQuestion &question, RayGroup &rays, RaySelection &selection) {
@@ -34,28 +38,43 @@ HWY_INLINE float width_of(const Beam &beam) {
     return larger(beam.slope[0] + beam.slope[1], beam.slope[2] + beam.slope[3]);
 }
 
+/// Traces the selected rays as one beam; false where that does not pay.
+template <bool shares_origin, bool any_hit>
+HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays, RaySelection &selection) {
+    const uint32_t count = selection.count();
+    Beam beam;
+    if (count < fewest_in_beam || !make_beam<shares_origin>(rays, selection, question.geometry.bounds, beam) ||
+        width_of(beam) > widest_beam) {
+        return false;
+    }
+    return GroupTrace<shares_origin, any_hit>(question, rays, selection, beam).run(steps_at_least + steps_per_ray * count);
+}
+
 /// Traces the selected rays. Those that are hit are deselected where any hit will do.
 template <bool shares_origin, bool any_hit>
 HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection) {
-    if (selection.empty()) return;
-    Beam beam;
-    const Box &bounds = question.geometry.bounds;
-    if (selection.count() >= fewest_in_beam && make_beam<shares_origin>(rays, selection, bounds, beam) &&
-        width_of(beam) <= widest_group) {
-        GroupTrace<shares_origin, any_hit>(question, rays, selection, beam).run();
-        return;
-    }
-    for (uint32_t block = 0; block < block_count; ++block) {
-        if (selection.blocks[block] == 0) continue;
+    if (selection.empty() || trace_beam<shares_origin, any_hit>(question, rays, selection)) return;
+    // Quarters of 2 x 2 blocks, then blocks, then rays.
+    for (uint32_t quarter = 0; quarter < 4; ++quarter) {
+        const uint32_t corner = quarter / 2 * 8 + quarter % 2 * 2;
+        const uint32_t blocks[4] = {corner, corner + 1, corner + 4, corner + 5};
         RaySelection part{};
-        part.blocks[block] = selection.blocks[block];
-        if (static_cast<uint32_t>(__builtin_popcount(part.blocks[block])) >= fewest_in_beam &&
-            make_beam<shares_origin>(rays, part, bounds, beam) && width_of(beam) <= widest_block) {
-            GroupTrace<shares_origin, any_hit>(question, rays, part, beam).run();
-        } else {
-            trace_singly<shares_origin, any_hit>(question, rays, part);
+        for (const uint32_t block : blocks) part.blocks[block] = selection.blocks[block];
+        if (part.empty()) continue;
+        if (!trace_beam<shares_origin, any_hit>(question, rays, part)) {
+            for (const uint32_t block : blocks) {
+                if (part.blocks[block] == 0) continue;
+                RaySelection one{};
+                one.blocks[block] = part.blocks[block];
+                if (!trace_beam<shares_origin, any_hit>(question, rays, one)) {
+                    trace_singly<shares_origin, any_hit>(question, rays, one);
+                }
+                part.blocks[block] = one.blocks[block];
+            }
         }
-        if constexpr (any_hit) selection.blocks[block] = part.blocks[block];
+        if constexpr (any_hit) {
+            for (const uint32_t block : blocks) selection.blocks[block] = part.blocks[block];
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-// One triangle against many rays: the float filter and the double distance of intersect.hpp, lane by lane.
+// One triangle against many rays: a float filter, and the distance of intersect.hpp, lane by lane.
 #pragma once
 
 #include "kernel/exact.hpp"
@@ -19,25 +19,47 @@ inline constexpr float least_margin = 0x1p-120f;
 /// What all tests of a triangle share.
 struct TriangleSetup {
     float corners[9];
-    Point3 e1, e2;
-    double n_x, n_y, n_z; ///< e1 x e2, as the definition computes it
-    float edge_reach;     ///< largest coordinate of e1 and e2
+    Point3 e1, e2, n;
+    float edge_reach; ///< largest coordinate of e1 and e2
     uint32_t id;
 
     HWY_INLINE TriangleSetup(const uint32_t *leaf_words, uint32_t count, uint32_t i) {
         for (uint32_t row = 0; row < 9; ++row) __builtin_memcpy(&corners[row], &leaf_words[row * count + i], 4);
         id = leaf_words[9 * count + i];
-        const double ax = corners[0], ay = corners[1], az = corners[2];
-        const double e1x = corners[3] - ax, e1y = corners[4] - ay, e1z = corners[5] - az;
-        const double e2x = corners[6] - ax, e2y = corners[7] - ay, e2z = corners[8] - az;
+        e1 = {corners[3] - corners[0], corners[4] - corners[1], corners[5] - corners[2]};
+        e2 = {corners[6] - corners[0], corners[7] - corners[1], corners[8] - corners[2]};
+        n = cross(e1, e2);
+        edge_reach = larger(max_abs(e1), max_abs(e2));
+    }
+};
+
+/// The triangle's plane as intersect() computes distances to it.
+struct ExactPlane {
+    double n_x, n_y, n_z;
+
+    HWY_INLINE explicit ExactPlane(const TriangleSetup &triangle) {
+        const float *c = triangle.corners;
+        const double ax = c[0], ay = c[1], az = c[2];
+        const double e1x = c[3] - ax, e1y = c[4] - ay, e1z = c[5] - az;
+        const double e2x = c[6] - ax, e2y = c[7] - ay, e2z = c[8] - az;
         n_x = e1y * e2z - e1z * e2y;
         n_y = e1z * e2x - e1x * e2z;
         n_z = e1x * e2y - e1y * e2x;
-        e1 = {static_cast<float>(e1x), static_cast<float>(e1y), static_cast<float>(e1z)};
-        e2 = {static_cast<float>(e2x), static_cast<float>(e2y), static_cast<float>(e2z)};
-        edge_reach = larger(larger(larger(magnitude(e1.x), magnitude(e1.y)), magnitude(e1.z)),
-                            larger(larger(magnitude(e2.x), magnitude(e2.y)), magnitude(e2.z)));
     }
+    [[nodiscard]] HWY_INLINE Point3 normal() const {
+        return {static_cast<float>(n_x), static_cast<float>(n_y), static_cast<float>(n_z)};
+    }
+    [[nodiscard]] HWY_INLINE float offset(const TriangleSetup &triangle, const Point3 &org) const {
+        const float *a = triangle.corners;
+        return static_cast<float>((n_x * (a[0] - double(org.x)) + n_y * (a[1] - double(org.y))) +
+                                  n_z * (a[2] - double(org.z)));
+    }
+};
+
+/// Distances along lane_count rays, and where they are as intersect() has them: not at grazing angles.
+struct PlaneDistances {
+    Floats t;
+    FloatMask valid;
 };
 
 /// What the filter says of lane_count rays.
@@ -59,50 +81,53 @@ class TriangleFromPoint {
 public:
     /// `dir_reach` is at least the largest coordinate of any direction that will be tested.
     HWY_INLINE TriangleFromPoint(const TriangleSetup &triangle, const Point3 &org, float dir_reach)
-        : triangle_(triangle) {
-        const float *a = triangle.corners;
-        const Point3 s = {org.x - a[0], org.y - a[1], org.z - a[2]}, &e1 = triangle.e1, &e2 = triangle.e2;
-        u_ = splat({s.y * e2.z - s.z * e2.y, s.z * e2.x - s.x * e2.z, s.x * e2.y - s.y * e2.x});
-        v_ = splat({e1.y * s.z - e1.z * s.y, e1.z * s.x - e1.x * s.z, e1.x * s.y - e1.y * s.x});
-        n_ = splat({static_cast<float>(triangle.n_x), static_cast<float>(triangle.n_y),
-                    static_cast<float>(triangle.n_z)});
-        const float distance = larger(larger(magnitude(s.x), magnitude(s.y)), magnitude(s.z));
+        : triangle_(triangle), org_(org), dir_reach_(dir_reach) {
+        const Point3 s = {org.x - triangle.corners[0], org.y - triangle.corners[1], org.z - triangle.corners[2]};
+        u_ = splat(cross(s, triangle.e2));
+        v_ = splat(cross(triangle.e1, s));
+        n_ = splat(triangle.n);
         const float e = triangle.edge_reach;
-        margin_ = splat(filter_error * dir_reach * e * (distance + e) + least_margin);
-        numerator_ = (triangle.n_x * (a[0] - double(org.x)) + triangle.n_y * (a[1] - double(org.y))) +
-                     triangle.n_z * (a[2] - double(org.z));
+        margin_ = splat(filter_error * dir_reach * e * (max_abs(s) + e) + least_margin);
     }
 
     [[nodiscard]] HWY_INLINE FilterResult filter(const Points &dir) const {
         return judge(dot(n_, dir), dot(u_, dir), dot(v_, dir), margin_);
     }
 
-    /// Distance to the triangle's plane.
-    [[nodiscard]] HWY_INLINE Floats distance(const Points &dir) const {
-        const Doubles n_x = hn::Set(doubles, triangle_.n_x), n_y = hn::Set(doubles, triangle_.n_y),
-                      n_z = hn::Set(doubles, triangle_.n_z), numerator = hn::Set(doubles, numerator_);
-        const DoubleLanes x = promote(dir.x), y = promote(dir.y), z = promote(dir.z);
-        return demote({numerator / ((n_x * x.lower + n_y * y.lower) + n_z * z.lower),
-                       numerator / ((n_x * x.upper + n_y * y.upper) + n_z * z.upper)});
+    [[nodiscard]] HWY_INLINE PlaneDistances distances(const Points &dir) {
+        if (!has_plane_) {
+            const ExactPlane plane(triangle_);
+            const Point3 n = plane.normal();
+            plane_n_ = splat(n);
+            offset_ = splat(plane.offset(triangle_, org_));
+            least_det_ = splat(least_slope * sum_abs(n) * dir_reach_);
+            has_plane_ = true;
+        }
+        const Floats det = dot(plane_n_, dir);
+        return {offset_ / det, hn::Ge(hn::Abs(det), least_det_)};
     }
 
 private:
     const TriangleSetup &triangle_;
+    const Point3 &org_;
+    float dir_reach_;
     Points u_, v_, n_;
     Floats margin_;
-    double numerator_;
+    bool has_plane_ = false;
+    Points plane_n_;
+    Floats offset_, least_det_;
 };
 
 /// A triangle for rays that start anywhere.
 class TriangleFromAnywhere {
 public:
     /// `reach` is at least the largest distance, by coordinate, between an origin and a corner of any triangle.
-    HWY_INLINE TriangleFromAnywhere(const TriangleSetup &triangle, float dir_reach, float reach) : triangle_(triangle) {
+    HWY_INLINE TriangleFromAnywhere(const TriangleSetup &triangle, float dir_reach, float reach)
+        : triangle_(triangle), dir_reach_(dir_reach) {
         a_ = splat({triangle.corners[0], triangle.corners[1], triangle.corners[2]});
         e1_ = splat(triangle.e1);
         e2_ = splat(triangle.e2);
-        n_ = splat({static_cast<float>(triangle.n_x), static_cast<float>(triangle.n_y),
-                    static_cast<float>(triangle.n_z)});
+        n_ = splat(triangle.n);
         margin_ = splat(filter_error * dir_reach * triangle.edge_reach * (reach + triangle.edge_reach) + least_margin);
     }
 
@@ -112,25 +137,25 @@ public:
         return judge(dot(n_, dir), dot(e2_, q), hn::Neg(dot(e1_, q)), margin_);
     }
 
-    [[nodiscard]] HWY_INLINE Floats distance(const Points &org, const Points &dir) const {
-        const DoubleLanes ox = promote(org.x), oy = promote(org.y), oz = promote(org.z);
-        const DoubleLanes dx = promote(dir.x), dy = promote(dir.y), dz = promote(dir.z);
-        return demote({distance(ox.lower, oy.lower, oz.lower, dx.lower, dy.lower, dz.lower),
-                       distance(ox.upper, oy.upper, oz.upper, dx.upper, dy.upper, dz.upper)});
+    [[nodiscard]] HWY_INLINE PlaneDistances distances(const Points &org, const Points &dir) const {
+        const ExactPlane plane(triangle_);
+        const DoubleLanes x = promote(org.x), y = promote(org.y), z = promote(org.z);
+        const Floats offset = demote({offsets(plane, x.lower, y.lower, z.lower), offsets(plane, x.upper, y.upper, z.upper)});
+        const Point3 n = plane.normal();
+        const Floats det = dot(splat(n), dir);
+        return {offset / det, hn::Ge(hn::Abs(det), splat(least_slope * sum_abs(n) * dir_reach_))};
     }
 
 private:
-    [[nodiscard]] HWY_INLINE Doubles distance(Doubles ox, Doubles oy, Doubles oz, Doubles dx, Doubles dy,
-                                              Doubles dz) const {
-        const Doubles n_x = hn::Set(doubles, triangle_.n_x), n_y = hn::Set(doubles, triangle_.n_y),
-                      n_z = hn::Set(doubles, triangle_.n_z);
-        const Doubles x = hn::Set(doubles, double(triangle_.corners[0])) - ox,
-                      y = hn::Set(doubles, double(triangle_.corners[1])) - oy,
-                      z = hn::Set(doubles, double(triangle_.corners[2])) - oz;
-        return ((n_x * x + n_y * y) + n_z * z) / ((n_x * dx + n_y * dy) + n_z * dz);
+    [[nodiscard]] HWY_INLINE Doubles offsets(const ExactPlane &plane, Doubles x, Doubles y, Doubles z) const {
+        const float *a = triangle_.corners;
+        return (hn::Set(doubles, plane.n_x) * (hn::Set(doubles, double(a[0])) - x) +
+                hn::Set(doubles, plane.n_y) * (hn::Set(doubles, double(a[1])) - y)) +
+               hn::Set(doubles, plane.n_z) * (hn::Set(doubles, double(a[2])) - z);
     }
 
     const TriangleSetup &triangle_;
+    float dir_reach_;
     Points a_, e1_, e2_, n_;
     Floats margin_;
 };
