@@ -176,6 +176,9 @@ private:
             return;
         }
         const TriangleSetup triangle(words, count, i);
+        if constexpr (shares_origin && any_hit) {
+            if (all_end_before(triangle)) return;
+        }
         uint32_t blocks = (1u << block_count) - 1;
         if (++tested_ > block_beams_after) {
             if (tested_ == block_beams_after + 1) make_block_sides<shares_origin>(rays_, selection_, beam_, blocks_);
@@ -185,16 +188,66 @@ private:
             TriangleFromPoint test(triangle, rays_.shared_origin, beam_.dir_reach);
             for (; blocks != 0; blocks &= blocks - 1) {
                 test_block(triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); },
-                           [&](uint32_t ray) { return test.distances(rays_.dir(ray)); });
+                           [&](uint32_t ray, uint32_t lanes) { return test.distances(rays_.dir(ray), lanes); });
             }
         } else {
             const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
             for (; blocks != 0; blocks &= blocks - 1) {
                 test_block(triangle, lowest_bit(blocks),
                            [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
-                           [&](uint32_t ray) { return test.distances(rays_.org(ray), rays_.dir(ray)); });
+                           [&](uint32_t ray, uint32_t lanes) {
+                               return test.distances(rays_.org(ray), rays_.dir(ray), lanes);
+                           });
             }
         }
+    }
+
+    /// Whether the triangle's plane has all rays, from origin to end, on one side for certain: then no ray can meet it
+    /// before its end. True of the surfaces that shadow rays end on, and of all walls of a convex room.
+    HWY_INLINE bool all_end_before(const TriangleSetup &triangle) {
+        if (!has_ends_) find_ends();
+        const ExactPlane plane(triangle);
+        const Point3 n = plane.normal();
+        const double at_origin = -plane.offset(triangle, rays_.shared_origin);
+        const double side = at_origin < 0.0 ? -1.0 : 1.0;
+        const auto least = [side](double m, float lo, float hi) {
+            const double a = side * m * lo, b = side * m * hi;
+            return a < b ? a : b;
+        };
+        const double at_ends = least(plane.n_x, ends_lo_.x - triangle.corners[0], ends_hi_.x - triangle.corners[0]) +
+                               least(plane.n_y, ends_lo_.y - triangle.corners[1], ends_hi_.y - triangle.corners[1]) +
+                               least(plane.n_z, ends_lo_.z - triangle.corners[2], ends_hi_.z - triangle.corners[2]);
+        // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max and
+        // the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
+        const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_way_ + ends_reach_) +
+                              double(0x1p-46f * triangle.edge_reach) * triangle.edge_reach * reach_;
+        return at_origin * side > margin && at_ends > margin;
+    }
+
+    HWY_NOINLINE void find_ends() {
+        const Floats infinity = splat(__builtin_inff());
+        Points lo = {infinity, infinity, infinity}, hi = {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)};
+        const Points org = splat(rays_.shared_origin);
+        Floats way = hn::Zero(floats);
+        for_each_vector(selection_, [&](uint32_t ray, uint32_t lane_bits) {
+            const FloatMask lanes = mask_of(lane_bits);
+            const Points dir = rays_.dir(ray);
+            const Floats t = hn::Load(floats, rays_.t + ray) * splat(1.0f + 0x1p-22f);
+            const auto extend = [&](Floats &low, Floats &high, Floats o, Floats d) {
+                const Floats way_along = d * t, end = o + way_along;
+                way = hn::Max(way, hn::IfThenElseZero(lanes, hn::Abs(way_along)));
+                low = hn::Min(low, hn::IfThenElse(lanes, end, infinity));
+                high = hn::Max(high, hn::IfThenElse(lanes, end, hn::Neg(infinity)));
+            };
+            extend(lo.x, hi.x, org.x, dir.x);
+            extend(lo.y, hi.y, org.y, dir.y);
+            extend(lo.z, hi.z, org.z, dir.z);
+        });
+        ends_lo_ = {least_lane(lo.x), least_lane(lo.y), least_lane(lo.z)};
+        ends_hi_ = {greatest_lane(hi.x), greatest_lane(hi.y), greatest_lane(hi.z)};
+        ends_way_ = greatest_lane(way);
+        ends_reach_ = larger(max_abs(ends_lo_), max_abs(ends_hi_));
+        has_ends_ = true;
     }
 
     template <typename Filter, typename Distances>
@@ -205,23 +258,21 @@ private:
             if (lanes == 0) continue;
             const uint32_t ray = block * block_size + part;
             const FilterResult result = filter(ray);
-            const uint32_t possible = bits_of(result.possible) & lanes;
-            if (possible == 0) continue;
-            const PlaneDistances plane = distances(ray);
-            Floats t = plane.t;
-            const uint32_t uncertain = possible & ~bits_of(hn::And(result.certain, plane.valid));
-            if (uncertain != 0) t = with_exact_distances(triangle, ray, uncertain, t);
-            const Floats best = hn::Load(floats, rays_.t + ray);
             const Uints id = hn::Set(uints, triangle.id);
-            FloatMask nearer = hn::Lt(t, best);
             const FloatMask left = hn::RebindMask(floats, hn::Eq(id, hn::Load(uints, rays_.left + ray)));
+            const uint32_t possible = bits_of(hn::AndNot(left, result.possible)) & lanes;
+            if (possible == 0) continue;
+            const uint32_t certain = bits_of(result.certain) & possible;
+            Floats t = distances(ray, certain);
+            if (certain != possible) t = with_exact_distances(triangle, ray, possible & ~certain, t);
+            const Floats best = hn::Load(floats, rays_.t + ray);
+            FloatMask nearer = hn::Lt(t, best);
             if constexpr (!any_hit) {
                 const Uints best_id = hn::Load(uints, rays_.triangle_id + ray);
                 const FloatMask lower_id = hn::RebindMask(floats, hn::Lt(id, best_id));
                 nearer = hn::Or(nearer, hn::And(hn::Eq(t, best), lower_id));
             }
-            const FloatMask hit = hn::And(hn::AndNot(left, hn::And(nearer, hn::Gt(t, hn::Zero(floats)))),
-                                          mask_of(possible));
+            const FloatMask hit = hn::And(hn::And(nearer, hn::Gt(t, hn::Zero(floats))), mask_of(possible));
             const uint32_t hit_bits = bits_of(hit);
             if (hit_bits == 0) continue;
             dirty_blocks_ |= 1u << block;
@@ -277,6 +328,9 @@ private:
     uint32_t tested_ = 0;
     uint32_t dirty_blocks_ = 0;
     uint32_t seen_[seen_slots];
+    bool has_ends_ = false;
+    Point3 ends_lo_, ends_hi_;    ///< box around the rays' ends
+    float ends_way_, ends_reach_; ///< largest coordinate of a ray from origin to end; of an end
     BlockBeams blocks_;
 };
 

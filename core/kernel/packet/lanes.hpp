@@ -95,6 +95,10 @@ HWY_INLINE Floats dot(const Points &a, const Points &b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
+HWY_INLINE Floats max_abs(const Points &p) {
+    return max3(hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z));
+}
+
 /// Three coordinates of one point or vector.
 struct Point3 {
     float x, y, z;

@@ -69,9 +69,6 @@ struct alignas(64) SurfacePoints {
     }
 };
 
-HWY_INLINE Floats max_abs(const Points &p) {
-    return max3(hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z));
-}
 HWY_INLINE Points scaled(const Points &p, Floats s) {
     return {p.x * s, p.y * s, p.z * s};
 }

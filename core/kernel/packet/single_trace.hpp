@@ -139,7 +139,7 @@ private:
             const Point3 n = plane.normal();
             const float det = (n.x * ray_.dir[0] + n.y * ray_.dir[1]) + n.z * ray_.dir[2];
             certain = !(magnitude(det) < least_slope * sum_abs(n) * ray_.dir_reach);
-            t = plane.offset(triangle, {ray_.org[0], ray_.org[1], ray_.org[2]}) / det;
+            t = static_cast<float>(plane.offset(triangle, {ray_.org[0], ray_.org[1], ray_.org[2]})) / det;
         }
         if (!certain) t = exact_distance(ray_.org, ray_.dir, triangle.corners, question_.geometry.bounds);
         if (!(t > 0.0f)) return;

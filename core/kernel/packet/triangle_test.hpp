@@ -37,6 +37,7 @@ struct TriangleSetup {
 struct ExactPlane {
     double n_x, n_y, n_z;
 
+    ExactPlane() = default;
     HWY_INLINE explicit ExactPlane(const TriangleSetup &triangle) {
         const float *c = triangle.corners;
         const double ax = c[0], ay = c[1], az = c[2];
@@ -49,17 +50,14 @@ struct ExactPlane {
     [[nodiscard]] HWY_INLINE Point3 normal() const {
         return {static_cast<float>(n_x), static_cast<float>(n_y), static_cast<float>(n_z)};
     }
-    [[nodiscard]] HWY_INLINE float offset(const TriangleSetup &triangle, const Point3 &org) const {
+    /// n . (a - org)
+    [[nodiscard]] HWY_INLINE double offset(const TriangleSetup &triangle, const Point3 &org) const {
         const float *a = triangle.corners;
-        return static_cast<float>((n_x * (a[0] - double(org.x)) + n_y * (a[1] - double(org.y))) +
-                                  n_z * (a[2] - double(org.z)));
+        return (n_x * (a[0] - double(org.x)) + n_y * (a[1] - double(org.y))) + n_z * (a[2] - double(org.z));
     }
-};
-
-/// Distances along lane_count rays, and where they are as intersect() has them: not at grazing angles.
-struct PlaneDistances {
-    Floats t;
-    FloatMask valid;
+    [[nodiscard]] HWY_INLINE Doubles dot(Doubles x, Doubles y, Doubles z) const {
+        return (hn::Set(doubles, n_x) * x + hn::Set(doubles, n_y) * y) + hn::Set(doubles, n_z) * z;
+    }
 };
 
 /// What the filter says of lane_count rays.
@@ -94,26 +92,40 @@ public:
         return judge(dot(n_, dir), dot(u_, dir), dot(v_, dir), margin_);
     }
 
-    [[nodiscard]] HWY_INLINE PlaneDistances distances(const Points &dir) {
-        if (!has_plane_) {
-            const ExactPlane plane(triangle_);
-            const Point3 n = plane.normal();
-            plane_n_ = splat(n);
-            offset_ = splat(plane.offset(triangle_, org_));
-            least_det_ = splat(least_slope * sum_abs(n) * dir_reach_);
-            has_plane_ = true;
-        }
+    /// Distances as intersect() has them where the filter is certain; `lanes` are those that matter.
+    [[nodiscard]] HWY_INLINE Floats distances(const Points &dir, uint32_t lanes) {
+        if (!has_plane_) make_plane();
         const Floats det = dot(plane_n_, dir);
-        return {offset_ / det, hn::Ge(hn::Abs(det), least_det_)};
+        const Floats t = offset_ / det;
+        if ((bits_of(hn::Lt(hn::Abs(det), least_det_)) & lanes) == 0) return t;
+        // Some lanes may graze the triangle: decide by each ray's own direction, go on in double.
+        const FloatMask grazing = hn::Lt(hn::Abs(det), splat(least_slope * sum_abs(normal_)) * max_abs(dir));
+        const DoubleLanes x = promote(dir.x), y = promote(dir.y), z = promote(dir.z);
+        const Doubles offset = hn::Set(doubles, exact_offset_);
+        return hn::IfThenElse(grazing, demote({offset / exact_.dot(x.lower, y.lower, z.lower),
+                                               offset / exact_.dot(x.upper, y.upper, z.upper)}), t);
     }
 
 private:
+    HWY_INLINE void make_plane() {
+        exact_ = ExactPlane(triangle_);
+        normal_ = exact_.normal();
+        exact_offset_ = exact_.offset(triangle_, org_);
+        plane_n_ = splat(normal_);
+        offset_ = splat(static_cast<float>(exact_offset_));
+        least_det_ = splat(least_slope * sum_abs(normal_) * dir_reach_);
+        has_plane_ = true;
+    }
+
     const TriangleSetup &triangle_;
     const Point3 &org_;
     float dir_reach_;
     Points u_, v_, n_;
     Floats margin_;
     bool has_plane_ = false;
+    ExactPlane exact_{};
+    double exact_offset_ = 0.0;
+    Point3 normal_{};
     Points plane_n_;
     Floats offset_, least_det_;
 };
@@ -137,23 +149,27 @@ public:
         return judge(dot(n_, dir), dot(e2_, q), hn::Neg(dot(e1_, q)), margin_);
     }
 
-    [[nodiscard]] HWY_INLINE PlaneDistances distances(const Points &org, const Points &dir) const {
+    /// Distances as intersect() has them where the filter is certain; `lanes` are those that matter.
+    [[nodiscard]] HWY_INLINE Floats distances(const Points &org, const Points &dir, uint32_t lanes) const {
         const ExactPlane plane(triangle_);
+        const float *a = triangle_.corners;
+        const auto offsets = [&](Doubles x, Doubles y, Doubles z) {
+            return plane.dot((hn::Set(doubles, double(a[0])) - x), (hn::Set(doubles, double(a[1])) - y),
+                             (hn::Set(doubles, double(a[2])) - z));
+        };
         const DoubleLanes x = promote(org.x), y = promote(org.y), z = promote(org.z);
-        const Floats offset = demote({offsets(plane, x.lower, y.lower, z.lower), offsets(plane, x.upper, y.upper, z.upper)});
+        const DoubleLanes offset = {offsets(x.lower, y.lower, z.lower), offsets(x.upper, y.upper, z.upper)};
         const Point3 n = plane.normal();
         const Floats det = dot(splat(n), dir);
-        return {offset / det, hn::Ge(hn::Abs(det), splat(least_slope * sum_abs(n) * dir_reach_))};
+        const Floats t = demote(offset) / det;
+        const FloatMask grazing = hn::Lt(hn::Abs(det), splat(least_slope * sum_abs(n)) * max_abs(dir));
+        if ((bits_of(grazing) & lanes) == 0) return t;
+        const DoubleLanes dx = promote(dir.x), dy = promote(dir.y), dz = promote(dir.z);
+        return hn::IfThenElse(grazing, demote({offset.lower / plane.dot(dx.lower, dy.lower, dz.lower),
+                                               offset.upper / plane.dot(dx.upper, dy.upper, dz.upper)}), t);
     }
 
 private:
-    [[nodiscard]] HWY_INLINE Doubles offsets(const ExactPlane &plane, Doubles x, Doubles y, Doubles z) const {
-        const float *a = triangle_.corners;
-        return (hn::Set(doubles, plane.n_x) * (hn::Set(doubles, double(a[0])) - x) +
-                hn::Set(doubles, plane.n_y) * (hn::Set(doubles, double(a[1])) - y)) +
-               hn::Set(doubles, plane.n_z) * (hn::Set(doubles, double(a[2])) - z);
-    }
-
     const TriangleSetup &triangle_;
     float dir_reach_;
     Points a_, e1_, e2_, n_;
