@@ -90,19 +90,30 @@ HWY_INLINE void make_block_sides(const RayGroup &rays, const RaySelection &selec
     }
 }
 
-/// How far a block's selected rays may still go, as depth along the beam.
+/// How far the rays of some lanes may still go, as depth along the beam.
+template <bool shares_origin>
+HWY_INLINE Floats ends_of(const RayGroup &rays, uint32_t ray, uint32_t lane_bits, const BeamAxes &axes) {
+    const Floats t = hn::Load(floats, rays.t + ray) * splat(1.0f + distance_error);
+    Floats z = t * hn::Load(floats, rays.dir_row(axes.z) + ray);
+    if constexpr (!shares_origin) z = z + (hn::Load(floats, rays.org_row(axes.z) + ray) - splat(axes.base_z()));
+    return hn::IfThenElse(mask_of(lane_bits), z * splat(axes.sign), splat(-__builtin_inff()));
+}
+
+/// The same for all selected rays of a block, and of a group.
 template <bool shares_origin>
 HWY_INLINE float block_end(const RayGroup &rays, uint32_t block, uint32_t bits, const Beam &beam) {
-    const BeamAxes &axes = beam.axes;
-    const float *dir_z = rays.dir_row(axes.z), *org_z = rays.org_row(axes.z);
     Floats end = splat(-__builtin_inff());
     for (uint32_t part = 0; part < block_size; part += lane_count) {
-        const uint32_t ray = block * block_size + part;
-        const FloatMask lanes = mask_of((bits >> part) & all_lanes);
-        Floats z = hn::Load(floats, rays.t + ray) * splat(1.0f + distance_error) * hn::Load(floats, dir_z + ray);
-        if constexpr (!shares_origin) z = z + (hn::Load(floats, org_z + ray) - splat(axes.base_z()));
-        end = hn::Max(end, hn::IfThenElse(lanes, z * splat(axes.sign), end));
+        end = hn::Max(end, ends_of<shares_origin>(rays, block * block_size + part, (bits >> part) & all_lanes, beam.axes));
     }
+    return greatest_lane(end) + beam.slack;
+}
+template <bool shares_origin>
+HWY_INLINE float group_end(const RayGroup &rays, const RaySelection &selection, const Beam &beam) {
+    Floats end = splat(-__builtin_inff());
+    for_each_vector(selection, [&](uint32_t ray, uint32_t lane_bits) {
+        end = hn::Max(end, ends_of<shares_origin>(rays, ray, lane_bits, beam.axes));
+    });
     return greatest_lane(end) + beam.slack;
 }
 

@@ -25,10 +25,8 @@ public:
     HWY_INLINE GroupTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, const Beam &beam)
         : question_(question), rays_(rays), selection_(selection), beam_(beam) {
         for (uint32_t &id : seen_) id = no_triangle;
-        const float reach = beam.slack * 0x1p20f;
-        reach_ = reach;
-        for (uint32_t block = 0; block < block_count; ++block) update_end(block);
-        beam_.z_end = largest_end();
+        reach_ = beam.slack * 0x1p20f;
+        beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
     }
 
     /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so far
@@ -161,8 +159,12 @@ private:
         }
         if (dirty_blocks_ == 0) return false;
         if (any_hit && selection_.empty()) return true;
-        for (uint32_t blocks = dirty_blocks_; blocks != 0; blocks &= blocks - 1) update_end(lowest_bit(blocks));
-        beam_.z_end = largest_end();
+        if (has_block_beams_) {
+            for (uint32_t blocks = dirty_blocks_; blocks != 0; blocks &= blocks - 1) update_end(lowest_bit(blocks));
+            beam_.z_end = largest_end();
+        } else {
+            beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
+        }
         return false;
     }
 
@@ -181,7 +183,7 @@ private:
         }
         uint32_t blocks = (1u << block_count) - 1;
         if (++tested_ > block_beams_after) {
-            if (tested_ == block_beams_after + 1) make_block_sides<shares_origin>(rays_, selection_, beam_, blocks_);
+            if (!has_block_beams_) make_block_beams();
             blocks = blocks_.entered_by(beam_.axes, triangle.corners);
         }
         if constexpr (shares_origin) {
@@ -305,6 +307,11 @@ private:
         return hn::Load(floats, distances);
     }
 
+    HWY_NOINLINE void make_block_beams() {
+        make_block_sides<shares_origin>(rays_, selection_, beam_, blocks_);
+        for (uint32_t block = 0; block < block_count; ++block) update_end(block);
+        has_block_beams_ = true;
+    }
     HWY_INLINE void update_end(uint32_t block) {
         blocks_.z_end[block] = block_end<shares_origin>(rays_, block, selection_.blocks[block], beam_);
     }
@@ -328,6 +335,7 @@ private:
     uint32_t tested_ = 0;
     uint32_t dirty_blocks_ = 0;
     uint32_t seen_[seen_slots];
+    bool has_block_beams_ = false;
     bool has_ends_ = false;
     Point3 ends_lo_, ends_hi_;    ///< box around the rays' ends
     float ends_way_, ends_reach_; ///< largest coordinate of a ray from origin to end; of an end

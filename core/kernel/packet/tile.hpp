@@ -14,6 +14,10 @@ HWY_INLINE PixelPlace place_of(uint32_t ray) {
     return {block % 4 * 4 + within % 4, block / 4 * 4 + within / 4};
 }
 
+/// Where the lanes of a vector stand in its block.
+alignas(64) inline constexpr float lane_x[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) inline constexpr float lane_y[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
 /// The rays through the centres of a tile's pixels.
 HWY_INLINE void make_primary_rays(const KernelFrame &frame, const Tile &tile, RayLevel &level) {
     const Camera &camera = frame.camera;
@@ -29,16 +33,16 @@ HWY_INLINE void make_primary_rays(const KernelFrame &frame, const Tile &tile, Ra
     for (uint32_t ray = 0; ray < group_size; ray += lane_count) {
         const PixelPlace first = place_of(ray);
         if (first.x >= width || first.y >= height) continue;
-        alignas(64) float xs[lane_count], ys[lane_count];
-        uint32_t inside = 0;
-        for (uint32_t lane = 0; lane < lane_count; ++lane) {
-            const PixelPlace place = {first.x + lane % 4, first.y + lane / 4};
-            xs[lane] = static_cast<float>(tile.x0 + place.x);
-            ys[lane] = static_cast<float>(tile.y0 + place.y);
-            inside |= place.x < width && place.y < height ? 1u << lane : 0;
+        uint32_t inside = all_lanes;
+        if (width < 16 || height < 16) {
+            for (uint32_t lane = 0; lane < lane_count; ++lane) {
+                if (first.x + lane % 4 >= width || first.y + lane / 4 >= height) inside &= ~(1u << lane);
+            }
         }
-        const Floats u = (hn::Load(floats, xs) + splat(0.5f)) * inverse_width;
-        const Floats v = (hn::Load(floats, ys) + splat(0.5f)) * inverse_height;
+        const Floats x = splat(static_cast<float>(tile.x0 + first.x)) + hn::Load(floats, lane_x);
+        const Floats y = splat(static_cast<float>(tile.y0 + first.y)) + hn::Load(floats, lane_y);
+        const Floats u = (x + splat(0.5f)) * inverse_width;
+        const Floats v = (y + splat(0.5f)) * inverse_height;
         const Points to_pixel = {(to_corner.x + right.x * u) + down.x * v, (to_corner.y + right.y * u) + down.y * v,
                                  (to_corner.z + right.z * u) + down.z * v};
         level.rays.set_dir(ray, normalized(to_pixel));
@@ -62,6 +66,15 @@ HWY_INLINE Uints resolve_channels(Floats c) {
     return hn::BitCast(uints, whole + round_up);
 }
 
+/// Copies up to four pixels of a row, of which four have the given size.
+template <size_t four> HWY_INLINE void copy_columns(void *to, const void *from, uint32_t columns) {
+    if (columns == 4) {
+        __builtin_memcpy(to, from, four);
+    } else {
+        __builtin_memcpy(to, from, four / 4 * columns);
+    }
+}
+
 /// Writes the tile's pixels.
 HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const TileColors &colors) {
     const uint32_t width = tile.x1 - tile.x0, height = tile.y1 - tile.y0;
@@ -78,10 +91,8 @@ HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const T
         const uint32_t columns = smaller(4u, width - first.x);
         for (uint32_t row = 0; row < lane_count / 4 && first.y + row < height; ++row) {
             const size_t pixel = size_t{tile.y0 + first.y + row} * frame.width_px + tile.x0 + first.x;
-            __builtin_memcpy(frame.rgba8 + pixel * 4, bytes + row * 4, columns * 4);
-            if (frame.radiance) {
-                __builtin_memcpy(frame.radiance + pixel * 3, rgb + row * 12, columns * 3 * sizeof(float));
-            }
+            copy_columns<16>(frame.rgba8 + pixel * 4, bytes + row * 4, columns);
+            if (frame.radiance) copy_columns<48>(frame.radiance + pixel * 3, rgb + row * 12, columns);
         }
     }
 }
