@@ -44,7 +44,7 @@ std::string to_text(const FrameReport &report) {
     std::string text = circumstances(report.machine);
     text += fmt::format("Scene    {}\n", report.scene);
     text += fmt::format("Tracing  instruction set {}; peer {}, {}\n\n", report.comparison.isa, report.peer,
-                        report.comparison.peer_isa);
+                        report.comparison.peer_kernel);
     text += fmt::format("{:<12}{:>6}{:>8}{:>10}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}  {}\n", "Render, ms", "depth",
                         "threads", "Glint", "min", "p95", "peer", "min", "p95", "ratio", "frames", "picture");
     for (const FrameCell &cell : report.comparison.cells) text += cell_line(cell);

@@ -84,7 +84,7 @@ Result<FrameComparison> compare_frames(const std::shared_ptr<const Accel> &accel
         const auto theirs = processor.start_others([&] { return peer.renderer(scene, options.isa, threads); });
         if (!theirs) return theirs.error();
         comparison.isa = isa_name(ours->isa());
-        comparison.peer_isa = (*theirs)->isa();
+        comparison.peer_kernel = (*theirs)->kernel();
 
         Contest contest(*ours, **theirs, control);
         for (const uint32_t size_px : options.sizes_px) {

@@ -45,7 +45,7 @@ struct FrameCell {
 
 struct FrameComparison {
     std::string isa;      ///< that Glint ran with
-    std::string peer_isa; ///< that the peer ran with, in its own words
+    std::string peer_kernel; ///< how the peer traced, in its own words
     std::vector<FrameCell> cells;
 };
 

@@ -1,7 +1,9 @@
 // A Whitted renderer on Embree: tiles for all threads.
 #include "bench/peers/embree/whitted_renderer.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 #include <string_view>
 
 #include "bench/peers/embree/device.hpp"
@@ -9,6 +11,7 @@
 #include "bench/peers/embree/geometry.hpp"
 #include "bench/peers/embree/surface_table.hpp"
 #include "bench/peers/embree/whitted_scene.hpp"
+#include "bench/peers/stopwatch.hpp"
 #include "render/worker_pool.hpp"
 
 namespace glint::bench::embree {
@@ -25,6 +28,12 @@ void set(float (&to)[3], const glm::vec3 &from) {
     to[0] = from.x, to[1] = from.y, to[2] = from.z;
 }
 
+/// What Embree can be told for one and the same picture.
+struct Way {
+    TreeKind tree;
+    RTCIntersectContextFlags shadow_coherence, mirror_coherence;
+};
+
 class Renderer final : public PeerRenderer {
 public:
     Renderer(std::shared_ptr<const Scene> scene, const DeviceIsa &isa, Device device, unsigned threads)
@@ -33,19 +42,38 @@ public:
           trace_tile_(tile_for(isa)),
           device_(std::move(device)),
           meshes_(*glint_scene_),
-          scene_(meshes_.build(device_.get(), {})),
           surfaces_(*glint_scene_),
           pool_(threads) {
         for (unsigned i = 0; i < pool_.threads(); ++i) scratch_.emplace_back(scratch_floats);
     }
 
+    /// Tries every tree with every hint on small frames, and stays with the fastest. Fails where a frame has no memory.
+    Status choose_way() {
+        constexpr uint32_t side_px = 256;
+        Result<Framebuffer> trial = Framebuffer::create(side_px, side_px, /*with_radiance=*/false);
+        if (!trial) return trial.error();
+        double best_ms = std::numeric_limits<double>::max();
+        Way best{};
+        SceneHandle best_scene;
+        for (const TreeKind &tree : {low_tree, medium_tree, high_tree}) {
+            scene_ = meshes_.build(device_.get(), tree);
+            bool is_best = false;
+            for (const auto shadow : {RTC_INTERSECT_CONTEXT_FLAG_COHERENT, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT}) {
+                for (const auto mirror : {RTC_INTERSECT_CONTEXT_FLAG_COHERENT, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT}) {
+                    way_ = {tree, shadow, mirror};
+                    const double ms = fastest_frame_ms(*trial);
+                    if (ms < best_ms) best_ms = ms, best = way_, is_best = true;
+                }
+            }
+            if (is_best) best_scene = std::move(scene_);
+        }
+        way_ = best;
+        scene_ = std::move(best_scene);
+        return Done{};
+    }
+
     void render(Framebuffer &target, uint32_t max_depth) override {
-        const WhittedScene scene{scene_.get(),
-                                 surfaces_.columns(),
-                                 glint_scene_->surface_count(),
-                                 static_cast<uint32_t>(glint_scene_->objects().size()),
-                                 surfaces_.lights().data(),
-                                 static_cast<uint32_t>(surfaces_.lights().size())};
+        const WhittedScene scene = whitted_scene();
         const WhittedFrame frame = frame_of(target, max_depth);
         const uint32_t across = (frame.width_px + tile_px - 1) / tile_px;
         const uint32_t tiles = across * ((frame.height_px + tile_px - 1) / tile_px);
@@ -58,9 +86,37 @@ public:
         });
     }
 
-    [[nodiscard]] std::string isa() const override { return isa_.name; }
+    [[nodiscard]] std::string kernel() const override {
+        const auto hint = [](RTCIntersectContextFlags flags) {
+            return flags == RTC_INTERSECT_CONTEXT_FLAG_COHERENT ? " coherent" : " incoherent";
+        };
+        return std::string(isa_.name) + " packets of " + std::to_string(isa_.max_width) + ", " + way_.tree.name +
+               " tree, shadows" + hint(way_.shadow_coherence) + ", mirrors" + hint(way_.mirror_coherence);
+    }
 
 private:
+    double fastest_frame_ms(Framebuffer &target) {
+        constexpr int frames = 5;
+        double fastest = std::numeric_limits<double>::max();
+        for (int i = 0; i < frames; ++i) {
+            fastest = std::min(fastest, time_ms([&] { render(target, glint_scene_->picture().max_depth); }));
+        }
+        return fastest;
+    }
+
+    [[nodiscard]] WhittedScene whitted_scene() const {
+        WhittedScene scene{};
+        scene.scene = scene_.get();
+        scene.shadow_coherence = way_.shadow_coherence;
+        scene.mirror_coherence = way_.mirror_coherence;
+        scene.surfaces = surfaces_.columns();
+        scene.surface_count = glint_scene_->surface_count();
+        scene.object_count = static_cast<uint32_t>(glint_scene_->objects().size());
+        scene.lights = surfaces_.lights().data();
+        scene.light_count = static_cast<uint32_t>(surfaces_.lights().size());
+        return scene;
+    }
+
     [[nodiscard]] WhittedFrame frame_of(Framebuffer &target, uint32_t max_depth) const {
         const Camera &camera = glint_scene_->camera();
         WhittedFrame frame{};
@@ -81,6 +137,7 @@ private:
     Device device_;
     SharedMeshes meshes_;
     SceneHandle scene_;
+    Way way_{};
     SurfaceTable surfaces_;
     WorkerPool pool_; // Glint's own, so that waking threads costs both the same
     std::vector<AlignedFloats> scratch_;
@@ -94,10 +151,11 @@ Result<std::unique_ptr<PeerRenderer>> make_renderer(std::shared_ptr<const Scene>
     }
     const std::vector<DeviceIsa> isas = isas_within(isa);
     if (isas.empty()) return Error(ErrorCode::unsupported, "Embree has no kernels for this machine");
-    Result<Device> device = open_device(isas.back().name, 1);
+    Result<Device> device = open_device(isas.back().name, 0);
     if (!device) return device.error();
-    return std::unique_ptr<PeerRenderer>(
-        std::make_unique<Renderer>(std::move(scene), isas.back(), std::move(*device), threads));
+    auto renderer = std::make_unique<Renderer>(std::move(scene), isas.back(), std::move(*device), threads);
+    if (const Status chosen = renderer->choose_way(); !chosen) return chosen.error();
+    return std::unique_ptr<PeerRenderer>(std::move(renderer));
 }
 
 } // namespace glint::bench::embree

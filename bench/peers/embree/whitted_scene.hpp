@@ -25,6 +25,8 @@ struct WhittedLight {
 /// aligned to 64 bytes and have at least 16 entries.
 struct WhittedScene {
     RTCScene scene;
+    RTCIntersectContextFlags shadow_coherence; ///< Embree's hint for shadow rays
+    RTCIntersectContextFlags mirror_coherence; ///< and for mirrored and transmitted ones; primary rays are coherent
     SurfaceColumns surfaces;
     uint32_t surface_count; ///< without the background
     uint32_t object_count;

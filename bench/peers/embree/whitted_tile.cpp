@@ -2,7 +2,8 @@
 //
 // Compiled once for each instruction set, with the widest packets that Embree has for it. A tile's pixels are traced by
 // blocks (4 x 4 for 16 rays); their mirrored and transmitted rays are put side by side into full packets, level by level.
-// The shading is that of core/kernel/scalar_kernel.cpp but for rounding; shadow rays run from the surface to the light.
+// The shading is that of core/kernel/scalar_kernel.cpp but for rounding. Shadow rays run from the light, as ours do: with
+// one origin for all, Embree is some 5 % faster than the other way.
 #include <embree3/rtcore.h>
 
 #include "bench/peers/embree/packets.hpp"
@@ -100,7 +101,8 @@ public:
         : scene_(scene), frame_(frame), now_(scratch), next_(scratch + scratch_floats / 2) {
         rtcInitIntersectContext(&closest_);
         rtcInitIntersectContext(&shadow_);
-        closest_.flags = shadow_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        closest_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        shadow_.flags = scene.shadow_coherence;
         store(rays_.ray.time, all(0.0f));
         store(rays_.ray.mask, all(-1));
         store(rays_.ray.id, all(0));
@@ -118,6 +120,7 @@ public:
             set_color(i, black);
         }
         for (int i = 0; i < tile_pixels; i += width) trace_block(x0, y0, i);
+        closest_.flags = scene_.mirror_coherence;
         for (depth_ = 1; next_.size() > 0; ++depth_) {
             const Queue swapped = now_;
             now_ = next_;
@@ -222,8 +225,8 @@ private:
         add_color(color * (weight * share), pixel, valid, first);
     }
 
-    /// Adds the light's share to the colour where the light reaches the points.
-    void add_light(const WhittedLight &light, const Vec &point, const Vec &org, const Vec &normal, const Vec &dir,
+    /// Adds the light's share to the colour where the light reaches `end`, the points moved off their surfaces.
+    void add_light(const WhittedLight &light, const Vec &point, const Vec &end, const Vec &normal, const Vec &dir,
                    const Properties &properties, const Int &shaded, Vec &color) {
         const Vec position{all(light.x), all(light.y), all(light.z)};
         const Vec delta = position - point;
@@ -231,13 +234,13 @@ private:
         const Int faces = shaded & (n_delta > 0.0f);
         if (bits(faces) == 0) return;
 
-        const Vec to_light = position - org;
-        store(shadow_rays_.org_x, org.x);
-        store(shadow_rays_.org_y, org.y);
-        store(shadow_rays_.org_z, org.z);
-        store(shadow_rays_.dir_x, to_light.x);
-        store(shadow_rays_.dir_y, to_light.y);
-        store(shadow_rays_.dir_z, to_light.z);
+        const Vec from_light = end - position;
+        store(shadow_rays_.org_x, position.x);
+        store(shadow_rays_.org_y, position.y);
+        store(shadow_rays_.org_z, position.z);
+        store(shadow_rays_.dir_x, from_light.x);
+        store(shadow_rays_.dir_y, from_light.y);
+        store(shadow_rays_.dir_z, from_light.z);
         store(shadow_rays_.tfar, all(1.0f));
         store(shadow_rays_.mask, all(static_cast<int>(light.ray_mask)));
         Packet::occluded(reinterpret_cast<const int *>(&faces), scene_.scene, &shadow_, &shadow_rays_);
