@@ -3,7 +3,7 @@
 
 #include <glint/accel.hpp>
 
-#include "bench/interleaved.hpp"
+#include "bench/peers/stopwatch.hpp"
 
 namespace glint::bench {
 

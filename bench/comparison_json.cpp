@@ -44,7 +44,31 @@ Json to_json(const KernelReport &report, const BuildRow &row) {
             {"peer_high_spread_ms", to_json(row.peer_high_ms)}};
 }
 
+Json to_json(const FrameReport &report, const FrameCell &cell) {
+    return {{"scene", report.scene},
+            {"width", cell.width_px},
+            {"height", cell.height_px},
+            {"depth", cell.depth},
+            {"threads", cell.threads},
+            {"isa", report.comparison.isa},
+            {"glint_ms", cell.glint_ms.median},
+            {"peer_ms", cell.peer_ms.median},
+            {"ratio", cell.ratio()},
+            {"differing_pixels", cell.difference.differing},
+            {"same_picture", cell.difference.same_picture()},
+            {"peer_kernel", report.comparison.peer_kernel},
+            {"frames", cell.frames},
+            {"glint_spread_ms", to_json(cell.glint_ms)},
+            {"peer_spread_ms", to_json(cell.peer_ms)}};
+}
+
 } // namespace
+
+std::string to_json(const FrameReport &report) {
+    Json cells = Json::array();
+    for (const FrameCell &cell : report.comparison.cells) cells.push_back(to_json(report, cell));
+    return json_text({{"machine", to_json(report.machine)}, {"peer", report.peer}, {"cells", std::move(cells)}});
+}
 
 std::string to_json(const KernelReport &report) {
     Json classes = Json::array(), builds = Json::array();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/build_comparison.hpp"
+#include "bench/frame_comparison.hpp"
 #include "bench/kernel_comparison.hpp"
 #include "bench/machine.hpp"
 
@@ -20,6 +21,18 @@ struct KernelReport {
     std::vector<ClassRow> classes;
     std::vector<BuildRow> builds;
 };
+
+/// A comparison of whole frames with what it was taken with.
+struct FrameReport {
+    Machine machine;
+    std::string peer;  ///< name and version
+    std::string scene; ///< as the user named it
+    FrameComparison comparison;
+};
+
+[[nodiscard]] std::string to_text(const FrameReport &report);
+/// `{"machine": ..., "peer": ..., "cells": [...]}`.
+[[nodiscard]] std::string to_json(const FrameReport &report);
 
 [[nodiscard]] std::string to_text(const KernelReport &report);
 /// `{"machine": ..., "peer": ..., "classes": [...], "builds": [...]}`.

@@ -27,7 +27,29 @@ std::string circumstances(const Machine &machine) {
                        machine.processors == 1 ? "" : "s", machine.os, machine.kernel, machine.glint, machine.compiler);
 }
 
+std::string cell_line(const FrameCell &cell) {
+    const PictureDifference &difference = cell.difference;
+    return fmt::format("{:<12}{:>6}{:>8}{:>10.3f}{:>9.3f}{:>9.3f}{:>10.3f}{:>9.3f}{:>9.3f}{:>8.2f}x{:>9}  {}\n",
+                       fmt::format("{}x{}", cell.width_px, cell.height_px), cell.depth, cell.threads,
+                       cell.glint_ms.median, cell.glint_ms.min, cell.glint_ms.p95, cell.peer_ms.median,
+                       cell.peer_ms.min, cell.peer_ms.p95, cell.ratio(), cell.frames,
+                       difference.same_picture()
+                           ? fmt::format("the same ({} pixels differ)", difference.differing)
+                           : fmt::format("ANOTHER ({} of {} pixels differ)", difference.differing, difference.pixels));
+}
+
 } // namespace
+
+std::string to_text(const FrameReport &report) {
+    std::string text = circumstances(report.machine);
+    text += fmt::format("Scene    {}\n", report.scene);
+    text += fmt::format("Tracing  instruction set {}; peer {}, {}\n\n", report.comparison.isa, report.peer,
+                        report.comparison.peer_kernel);
+    text += fmt::format("{:<12}{:>6}{:>8}{:>10}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}  {}\n", "Render, ms", "depth",
+                        "threads", "Glint", "min", "p95", "peer", "min", "p95", "ratio", "frames", "picture");
+    for (const FrameCell &cell : report.comparison.cells) text += cell_line(cell);
+    return text;
+}
 
 std::string to_text(const KernelReport &report) {
     std::string text = circumstances(report.machine);

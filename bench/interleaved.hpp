@@ -1,20 +1,12 @@
 // Timing two things in turns, so that whatever disturbs the machine disturbs both.
 #pragma once
 
-#include <chrono>
-#include <utility>
 #include <vector>
 
+#include "bench/peers/stopwatch.hpp"
 #include "bench/statistics.hpp"
 
 namespace glint::bench {
-
-/// Milliseconds that a call takes.
-template <typename Call> [[nodiscard]] double time_ms(const Call &call) {
-    const auto start = std::chrono::steady_clock::now();
-    call();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// What was measured of two things in turns.
 struct Turns {

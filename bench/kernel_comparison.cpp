@@ -83,30 +83,40 @@ private:
     size_t first_, count_;
 };
 
-/// The fastest of the peer's ways on a sample of the rays: every eighth turn's, twice.
-struct BestWay {
+/// Every eighth turn's rays.
+RaySet sample_of(const RaySet &rays) {
+    constexpr size_t stride = 8 * turn_rays;
+    RaySet sample(rays.name, rays.question);
+    for (size_t first = 0; first < rays.size(); first += stride) {
+        for (size_t i = first; i < std::min(first + turn_rays, rays.size()); ++i) {
+            sample.add({rays.org_x[i], rays.org_y[i], rays.org_z[i]}, {rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]},
+                       rays.t_max[i]);
+        }
+    }
+    return sample;
+}
+
+/// A peer's way with a set of rays.
+struct ChosenWay {
     std::string name;
     std::unique_ptr<PeerQuery> query;
 };
 
-BestWay find_best_way(const PeerKernels &kernels, const RaySet &rays, WorkerPool &pool) {
-    constexpr size_t stride = 8 * turn_rays;
+/// The way that is fastest on a sample of the rays.
+ChosenWay choose_way(const PeerKernels &kernels, const RaySet &rays, WorkerPool &pool) {
+    constexpr int rounds = 3;
+    const RaySet sample = sample_of(rays);
     const std::vector<std::string> names = kernels.ways(rays.question);
     size_t best = 0;
     double best_ms = std::numeric_limits<double>::max();
     for (size_t way = 0; way < names.size(); ++way) {
-        const std::unique_ptr<PeerQuery> query = kernels.query(rays, way);
-        double way_ms = 0.0;
-        for (size_t first = 0; first < rays.size(); first += stride) {
-            const Turn turn(*query, pool, first, std::min(turn_rays, rays.size() - first));
-            double turn_ms = std::numeric_limits<double>::max();
-            for (int round = 0; round < 3; ++round) {
-                turn.prepare();
-                turn_ms = std::min(turn_ms, time_ms([&] { turn.run(); }));
-            }
-            way_ms += turn_ms;
+        const std::unique_ptr<PeerQuery> query = kernels.query(sample, way);
+        const Turn turn(*query, pool, 0, sample.size());
+        for (int round = 0; round < rounds; ++round) {
+            turn.prepare();
+            const double ms = time_ms([&] { turn.run(); });
+            if (ms < best_ms) best_ms = ms, best = way;
         }
-        if (way_ms < best_ms) best = way, best_ms = way_ms;
     }
     return {names[best], kernels.query(rays, best)};
 }
@@ -131,7 +141,7 @@ ClassRow measure_class(const RayQuery &query, const PeerKernels &kernels, const 
                        double min_seconds) {
     constexpr uint64_t min_passes = 3;
     GlintQuery glint(query, rays);
-    BestWay peer = find_best_way(kernels, rays, pool);
+    ChosenWay peer = choose_way(kernels, rays, pool);
 
     ClassRow row;
     row.ray_class = rays.name;

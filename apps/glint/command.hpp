@@ -20,6 +20,7 @@ struct Command {
 
 // Each adds its subcommand to `glint bench`.
 [[nodiscard]] Command add_bench_table_command(CLI::App &bench);
+[[nodiscard]] Command add_bench_frame_command(CLI::App &bench);
 [[nodiscard]] Command add_bench_kernels_command(CLI::App &bench);
 
 /// What `glint --version` prints, without a newline at the end.

@@ -34,7 +34,7 @@ class PeerKernels {
 public:
     virtual ~PeerKernels() = default;
 
-    /// Names of the ways that it has to answer this question, e.g. "avx512 intersect16 coherent".
+    /// Names of the ways that it has to answer this question, e.g. "avx512 intersect16 coherent, high tree".
     [[nodiscard]] virtual std::vector<std::string> ways(RayQuestion question) const = 0;
     /// `way` counts within ways(rays.question).
     [[nodiscard]] virtual std::unique_ptr<PeerQuery> query(const RaySet &rays, size_t way) const = 0;
@@ -58,8 +58,8 @@ public:
 
     /// Fills the framebuffer's rgba8() with the scene as its own camera sees it.
     virtual void render(Framebuffer &target, uint32_t max_depth) = 0;
-    /// The instruction set that it traces with, in the peer's own words.
-    [[nodiscard]] virtual std::string isa() const = 0;
+    /// How it traces, e.g. "avx512 packets of 16, low tree".
+    [[nodiscard]] virtual std::string kernel() const = 0;
 };
 
 /// `isa` limits what the peer may use to what Glint uses; Isa::scalar, which no peer has, sets no limit.

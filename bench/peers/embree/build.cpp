@@ -28,9 +28,7 @@ Result<PeerBuild> measure_build(const Scene &scene, Isa isa, unsigned threads, B
     rtcSetDeviceMemoryMonitorFunction(device->get(), count_bytes, &held);
     const SharedMeshes meshes(scene);
     const auto start = std::chrono::steady_clock::now();
-    SceneHandle tree = meshes.build(
-        device->get(),
-        {.build = quality == BuildQuality::high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM, .robust = false});
+    SceneHandle tree = meshes.build(device->get(), quality == BuildQuality::high ? high_tree : medium_tree);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     const PeerBuild build{time.count(), static_cast<uint64_t>(std::max<int64_t>(held.load(), 0))};
     tree.reset(); // while what counts its memory is there

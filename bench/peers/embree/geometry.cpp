@@ -18,14 +18,14 @@ SharedMeshes::SharedMeshes(const Scene &scene) {
     }
 }
 
-SceneHandle SharedMeshes::build(RTCDevice device, const SceneQuality &quality) const {
+SceneHandle SharedMeshes::build(RTCDevice device, const TreeKind &kind) const {
     SceneHandle scene(rtcNewScene(device));
-    rtcSetSceneBuildQuality(scene.get(), quality.build);
-    rtcSetSceneFlags(scene.get(), quality.robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+    rtcSetSceneBuildQuality(scene.get(), kind.quality);
+    rtcSetSceneFlags(scene.get(), kind.robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
     for (uint32_t s = 0; s < surfaces_.size(); ++s) {
         const Surface &surface = surfaces_[s];
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetGeometryBuildQuality(geometry, quality.build);
+        rtcSetGeometryBuildQuality(geometry, kind.quality);
         rtcSetGeometryMask(geometry, surface.mask);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, surface.positions.data(), 0,
                                    sizeof(Point), surface.positions.size() - 1);

@@ -13,7 +13,7 @@ constexpr unsigned stream = 0; ///< stands for a packet width
 struct Way {
     DeviceIsa isa;
     RTCScene scene;
-    bool robust;
+    const char *tree;
     unsigned width;
     bool coherent;
 
@@ -22,8 +22,7 @@ struct Way {
         text += question == RayQuestion::any_hit ? " occluded" : " intersect";
         text += width == stream ? "1M" : std::to_string(width);
         if (coherent) text += " coherent";
-        if (robust) text += " robust";
-        return text;
+        return text + ", " + tree + " tree";
     }
 };
 
@@ -40,14 +39,16 @@ std::unique_ptr<PeerQuery> packets_of(unsigned width, const RaySet &rays, const 
 class Kernels final : public PeerKernels {
 public:
     Kernels(std::shared_ptr<const Scene> scene, Isa limit) : scene_(std::move(scene)), meshes_(*scene_) {
-        for (const DeviceIsa &isa : isas_within(limit)) {
+        std::vector<DeviceIsa> isas = isas_within(limit);
+        // The narrowest of three never wins, and trying takes time.
+        if (isas.size() > 2) isas.erase(isas.begin());
+        for (const DeviceIsa &isa : isas) {
             Result<Device> device = open_device(isa.name, 0);
             if (!device) continue;
             devices_.push_back(std::move(*device));
-            for (const bool robust : {false, true}) {
-                scenes_.push_back(
-                    meshes_.build(devices_.back().get(), {.build = RTC_BUILD_QUALITY_HIGH, .robust = robust}));
-                add_ways(isa, scenes_.back().get(), robust);
+            for (const TreeKind &tree : {low_tree, medium_tree, high_tree, robust_tree}) {
+                scenes_.push_back(meshes_.build(devices_.back().get(), tree));
+                add_ways(isa, scenes_.back().get(), tree.name);
             }
         }
     }
@@ -72,12 +73,12 @@ public:
     }
 
 private:
-    void add_ways(const DeviceIsa &isa, RTCScene scene, bool robust) {
+    void add_ways(const DeviceIsa &isa, RTCScene scene, const char *tree) {
         for (const unsigned width : {stream, 1u, 4u, 8u, 16u}) {
             if (width > isa.max_width) continue;
             for (const bool coherent : {false, true}) {
                 if (width == 1 && coherent) continue; // a lone ray has nothing to be coherent with
-                ways_.push_back({isa, scene, robust, width, coherent});
+                ways_.push_back({isa, scene, tree, width, coherent});
             }
         }
     }

@@ -4,6 +4,7 @@
 #include "bench/peers/embree/build.hpp"
 #include "bench/peers/embree/device.hpp"
 #include "bench/peers/embree/kernels.hpp"
+#include "bench/peers/embree/whitted_renderer.hpp"
 
 namespace glint::bench::embree {
 namespace {
@@ -20,9 +21,9 @@ public:
                                           BuildQuality quality) const override {
         return measure_build(scene, isa, threads, quality);
     }
-    [[nodiscard]] Result<std::unique_ptr<PeerRenderer>> renderer(std::shared_ptr<const Scene> /*scene*/, Isa /*isa*/,
-                                                                 unsigned /*threads*/) const override {
-        return Error(ErrorCode::unsupported, "not yet");
+    [[nodiscard]] Result<std::unique_ptr<PeerRenderer>> renderer(std::shared_ptr<const Scene> scene, Isa isa,
+                                                                 unsigned threads) const override {
+        return make_renderer(std::move(scene), isa, threads);
     }
 };
 
