@@ -1,21 +1,15 @@
 // The report for programs.
 #include "bench/report.hpp"
 
-#include <nlohmann/json.hpp>
+#include "bench/json_parts.hpp"
 
 namespace glint::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json to_json(const Summary &summary) {
-    return {{"median", summary.median}, {"min", summary.min}, {"p95", summary.p95}};
-}
-
 Json to_json(const Machine &machine, const std::string &gl_description) {
-    return {{"cpu", machine.cpu},       {"processors", machine.processors}, {"os", machine.os},
-            {"kernel", machine.kernel}, {"compiler", machine.compiler},     {"glint", machine.glint},
-            {"gl", gl_description}};
+    Json facts = to_json(machine);
+    facts["gl"] = gl_description;
+    return facts;
 }
 
 Json to_json(const Table &table, const Row &row) {
@@ -41,10 +35,9 @@ Json to_json(const Table &table, const Row &row) {
 std::string to_json(const Table &table) {
     Json rows = Json::array();
     for (const Row &row : table.rows) rows.push_back(to_json(table, row));
-    const Json report = {
-        {"machine", to_json(table.machine, table.gl_description)}, {"scene", table.scene}, {"rows", std::move(rows)}};
-    // A file name need not be UTF-8; JSON text must be.
-    return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+    return json_text({{"machine", to_json(table.machine, table.gl_description)},
+                      {"scene", table.scene},
+                      {"rows", std::move(rows)}});
 }
 
 } // namespace glint::bench

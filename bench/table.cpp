@@ -124,7 +124,7 @@ Status check_surface(gles::Surface &surface, const Framebuffer &picture) {
 
 Result<Table> measure_table(std::shared_ptr<const Accel> accel, std::string scene_name, gles::Surface *surface,
                             const TableOptions &options, RenderControl *control) {
-    Renderer renderer(std::move(accel), {.threads = options.threads});
+    Renderer renderer(std::move(accel), {.threads = options.threads, .isa = options.isa});
     Table table{.machine = describe_machine(),
                 .scene = std::move(scene_name),
                 .threads = renderer.threads(),

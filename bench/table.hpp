@@ -22,6 +22,7 @@ struct TableOptions {
     std::vector<uint32_t> sizes_px = {128, 256, 512}; ///< pictures are square
     std::vector<uint32_t> depths = {1, 2};            ///< recursive rays
     unsigned threads = 0;                             ///< 0 = one a processor
+    Isa isa = best_isa();                             ///< that traces
     uint32_t min_frames = 50;                         ///< that are timed for each row
     double min_seconds = 1.0;                         ///< of timing for each row
     /// Called before each row is measured, e.g. to show that something goes on. May be empty.

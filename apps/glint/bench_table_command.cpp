@@ -1,6 +1,5 @@
 // glint bench table: the 2013 paper's timing table, measured on this machine.
 #include <array>
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,9 +18,11 @@
 #include "console.hpp"
 #include "failure.hpp"
 #include "interrupt.hpp"
+#include "isa_option.hpp"
+#include "named_scene.hpp"
 #include "number_options.hpp"
-#include "paper_scene.hpp"
 #include "scene_options.hpp"
+#include "seconds_option.hpp"
 
 namespace glint::cli {
 namespace {
@@ -58,7 +59,7 @@ ExitCode write_reports(const BenchTableOptions &options, const bench::Table &tab
 
 ExitCode run(BenchTableOptions &options) {
     if (options.scene.file.empty()) {
-        const Result<std::filesystem::path> scene = find_paper_scene();
+        const Result<std::filesystem::path> scene = find_scene({});
         if (!scene) return fail(scene.error());
         options.scene.file = scene->string();
     }
@@ -87,30 +88,11 @@ ExitCode run(BenchTableOptions &options) {
     return write_reports(options, *table);
 }
 
-void add_seconds(CLI::App &parser, double &target) {
-    const CLI::Validator in_bounds(
-        [](const std::string &text) {
-            double seconds = 0.0;
-            const char *const end = text.data() + text.size();
-            const auto [stop, error] = std::from_chars(text.data(), end, seconds);
-            const bool number = error == std::errc() && stop == end;
-            return number && seconds >= 0.0 && seconds <= 3600.0
-                       ? std::string()
-                       : fmt::format("'{}' is not a number of seconds from 0 to 3600", text);
-        },
-        "");
-    parser.add_option("--seconds", target, "Time each row at least this long (default 1), and at least 50 frames")
-        ->check(in_bounds)
-        ->type_name("S");
-}
-
 } // namespace
 
-Command add_bench_table_command(CLI::App &parser) {
+Command add_bench_table_command(CLI::App &bench) {
     auto options = std::make_shared<BenchTableOptions>();
-    CLI::App *bench = parser.add_subcommand("bench", "Measure this machine");
-    bench->require_subcommand(1);
-    CLI::App *table = bench->add_subcommand("table", "The timing table of the 2013 paper, by resolution and depth");
+    CLI::App *table = bench.add_subcommand("table", "The timing table of the 2013 paper, by resolution and depth");
     table->add_option("--scene", options->scene.file, "The scene file (default: the paper's cornell.sdl)")
         ->type_name("FILE");
     add_numbers(*table, "--sizes", options->table.sizes_px, {1, 16384}, "Picture sizes (default 128,256,512)");
@@ -120,7 +102,8 @@ Command add_bench_table_command(CLI::App &parser) {
         *table, "--surface", options->surface,
         {{"egl", bench::SurfaceKind::egl}, {"osmesa", bench::SurfaceKind::osmesa}, {"none", bench::SurfaceKind::none}},
         "What pictures are shown on: egl (default; falls back to osmesa, then none), osmesa, or none");
-    add_seconds(*table, options->table.min_seconds);
+    add_isa(*table, options->table.isa);
+    add_seconds(*table, options->table.min_seconds, "Time each row at least this long (default 1), and at least 50 frames");
     table->add_option("--json", options->json_file, "Write the table as JSON")->type_name("FILE");
     table->add_option("--csv", options->csv_file, "Write the table as CSV")->type_name("FILE");
     table->add_option("--md", options->markdown_file, "Write the table as Markdown")->type_name("FILE");

@@ -16,6 +16,7 @@
 #include "console.hpp"
 #include "failure.hpp"
 #include "interrupt.hpp"
+#include "isa_option.hpp"
 #include "number_options.hpp"
 #include "picture_file.hpp"
 #include "progress_bar.hpp"
@@ -42,6 +43,7 @@ struct RenderCommandOptions {
     std::optional<uint32_t> depth;
     std::optional<uint32_t> threads;
     AccelKind accel = AccelKind::kdtree;
+    Isa isa = best_isa();
     bool hash = false;
     bool stats = false;
 };
@@ -95,7 +97,7 @@ private:
 
     ExitCode render_and_report() {
         const unsigned threads = options_.threads.value_or(0);
-        Renderer renderer(Accel::build(scene_, {.kind = options_.accel, .threads = threads}), {.threads = threads});
+        Renderer renderer(Accel::build(scene_, {.kind = options_.accel, .threads = threads}), {.threads = threads, .isa = options_.isa});
         const bool with_radiance = options_.hash || (target_ && image_needs_radiance(*target_));
         Result<Framebuffer> picture = Framebuffer::create(size_.width_px, size_.height_px, with_radiance);
         if (!picture) return fail(picture.error());
@@ -144,6 +146,7 @@ Command add_render_command(CLI::App &parser) {
     add_number(*render, "--threads", options->threads, thread_bounds, "Threads (default: one a processor)");
     add_choice(*render, "--accel", options->accel, {{"kdtree", AccelKind::kdtree}, {"brute", AccelKind::brute}},
                "How rays find triangles: through the kd-tree (default), or by testing all");
+    add_isa(*render, options->isa);
     render->add_flag("--hash", options->hash, "Print XXH3-64 hashes of the picture's bytes and of its linear floats");
     render->add_flag("--stats", options->stats, "Print times, rays and the tree's figures");
     add_scene_options(*render, options->scene);
