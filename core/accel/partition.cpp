@@ -75,9 +75,9 @@ SideCounts Partition::divide(std::span<const Reference> references, const Split 
     return counts;
 }
 
-SideCounts Partition::divide_as_counted(std::span<const Reference> references, const Split &split, Reference *lower,
-                                        Reference *upper) {
-    const SideCounts counts = share_out(references, split, lower, upper);
+void Partition::divide_as_counted(std::span<const Reference> references, const Split &split, Reference *lower,
+                                  Reference *upper) {
+    share_out(references, split, lower, upper);
     for (size_t i = 0; i < straddler_count_; ++i) {
         Box &low = lower[straddlers_[i].lower].bounds, &high = upper[straddlers_[i].upper].bounds;
         const uint32_t id = lower[straddlers_[i].lower].triangle_id;
@@ -86,7 +86,6 @@ SideCounts Partition::divide_as_counted(std::span<const Reference> references, c
         if (!below.empty()) low = below;
         if (!above.empty()) high = above;
     }
-    return counts;
 }
 
 } // namespace glint

@@ -1,4 +1,4 @@
-// Chooses between splits, and what follows from one.
+// What follows from a split.
 #include "accel/split.hpp"
 
 namespace glint {
@@ -24,37 +24,6 @@ std::pair<Cell, Cell> Split::cells(const Cell &cell, size_t lower_count, size_t 
     low.reference_budget = cell.reference_budget * share;
     high.reference_budget = cell.reference_budget * (1.0 - share);
     return {low, high};
-}
-
-Split find_empty_space(std::span<const Reference> references, const Box &cell, const CostModel &cost) {
-    Box occupied;
-    for (const Reference &reference : references) occupied.extend(reference.bounds);
-    const auto count = static_cast<int32_t>(references.size());
-    const CellSurface surface(cell);
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Slices slices = surface.across(axis);
-        const float lo = component(occupied.lo, axis), hi = component(occupied.hi, axis);
-        if (lo > slices.lo) {
-            const float c = cost.split(0.0f, 0, slices.upper_share(lo), count);
-            if (c < best.cost) best = {c, lo, axis, false, 0, count};
-        }
-        if (hi < slices.hi) {
-            const float c = cost.split(slices.lower_share(hi), count, 0.0f, 0);
-            if (c < best.cost) best = {c, hi, axis, true, count, 0};
-        }
-    }
-    return best;
-}
-
-Split choose_split(std::span<const Reference> references, const Cell &cell, const CostModel &cost) {
-    if (references.empty() || cell.levels_left == 0) return {};
-    const auto count = static_cast<int32_t>(references.size());
-    const Split split = cost.may_pay(count) ? find_binned_split(references, cell.box, cost)
-                                            : find_empty_space(references, cell.box, cost);
-    const bool pays = split.cost < cost.leaf(count);
-    const bool fits = static_cast<double>(split.lower) + split.upper <= cell.reference_budget;
-    return pays && fits ? split : Split{};
 }
 
 } // namespace glint

@@ -3,12 +3,9 @@
 
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "accel/cell.hpp"
-#include "accel/cost_model.hpp"
-#include "accel/reference.hpp"
 #include "math/vec.hpp"
 
 namespace glint {
@@ -23,6 +20,8 @@ struct Split {
     int32_t lower = 0, upper = 0; ///< expected number of triangles on either side
 
     [[nodiscard]] bool exists() const { return cost < std::numeric_limits<float>::infinity(); }
+
+    [[nodiscard]] bool cuts_off_empty_space() const { return exists() && (lower == 0 || upper == 0); }
 
     /// The two cells, given how many references they really got.
     [[nodiscard]] std::pair<Cell, Cell> cells(const Cell &cell, size_t lower_count, size_t upper_count) const;
@@ -49,15 +48,5 @@ private:
     glm::dvec3 extent_;
     double inverse_area_;
 };
-
-/// The cheapest split, or none where a leaf is cheaper or the cell has come to a limit.
-[[nodiscard]] Split choose_split(std::span<const Reference> references, const Cell &cell, const CostModel &cost);
-
-/// The best of the outermost boundaries in each of evenly spaced bins, and of the cell's faces; a sample of many
-/// references stands for all.
-[[nodiscard]] Split find_binned_split(std::span<const Reference> references, const Box &cell, const CostModel &cost);
-
-/// The best plane that has all references on one side and nothing on the other.
-[[nodiscard]] Split find_empty_space(std::span<const Reference> references, const Box &cell, const CostModel &cost);
 
 } // namespace glint
