@@ -46,10 +46,9 @@ SideCounts Partition::share_out(std::span<const Reference> references, const Spl
     SideCounts counts;
     size_t straddler_count = 0; // here and not in *this: in a register
     for (const Reference &from : references) {
-        const Reference reference = from;
-        const bool to_lower = sides.lower(reference.bounds), to_upper = sides.upper(reference.bounds);
-        lower[counts.lower] = reference;
-        upper[counts.upper] = reference;
+        const bool to_lower = sides.lower(from.bounds), to_upper = sides.upper(from.bounds);
+        lower[counts.lower] = from; // at most where it already is: `from` is still whole
+        upper[counts.upper] = from;
         straddlers_[straddler_count] = {static_cast<uint32_t>(counts.lower), static_cast<uint32_t>(counts.upper)};
         straddler_count += static_cast<size_t>(int(to_lower) & int(to_upper));
         counts.lower += to_lower;

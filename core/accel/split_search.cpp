@@ -34,6 +34,8 @@ void SplitSearch::add(std::span<const Reference> references) {
         scale[k] = extent > 1e-30f ? static_cast<float>(bin_count_) / extent : 0.0f;
     }
     const auto last_bin = static_cast<float>(bin_count_ - 1);
+    int32_t in_low_face[3] = {}, in_high_face[3] = {}; // here and not in *this: in registers
+    const Box occupied = occupied_;
     for (const Reference &reference : references) {
         const float *const bounds = &reference.bounds.lo.x;
         int32_t bin[6];
@@ -47,9 +49,13 @@ void SplitSearch::add(std::span<const Reference> references) {
             Bin &end = axis.bins[bin[k + 3]];
             ++end.ends;
             end.last_end = std::max(end.last_end, hi);
-            axis.in_low_face += hi <= component(occupied_.lo, k);
-            axis.in_high_face += lo >= component(occupied_.hi, k);
+            in_low_face[k] += hi <= component(occupied.lo, k);
+            in_high_face[k] += lo >= component(occupied.hi, k);
         }
+    }
+    for (int k = 0; k < 3; ++k) {
+        axes_[k].in_low_face += in_low_face[k];
+        axes_[k].in_high_face += in_high_face[k];
     }
 }
 
