@@ -1,6 +1,7 @@
 // Cuts triangles at planes.
 #include "accel/reference.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include "math/vec.hpp"
@@ -64,8 +65,8 @@ Parts cut(const TriangleCorners &triangle, const Box &bounds, int axis, float po
         }
     }
     Parts parts{lower.within(bounds), upper.within(bounds)};
-    component(parts.lower.hi, axis) = std::fmin(component(parts.lower.hi, axis), position);
-    component(parts.upper.lo, axis) = std::fmax(component(parts.upper.lo, axis), position);
+    component(parts.lower.hi, axis) = std::min(component(parts.lower.hi, axis), position);
+    component(parts.upper.lo, axis) = std::max(component(parts.upper.lo, axis), position);
     return parts;
 }
 

@@ -21,7 +21,8 @@ uint32_t depth_limit(size_t triangle_count) {
     return std::min(max_tree_depth, static_cast<uint32_t>(8.0 + 1.3 * log2_count));
 }
 
-/// Many more references than triangles only come about where splits do not help. Small trees may be wasteful.
+/// A mesh needs about two references a triangle; many more come about where triangles cross each other and splitting
+/// does not help. Small trees may be wasteful.
 double reference_budget(size_t triangle_count) {
     return 2.5 * static_cast<double>(triangle_count) + 10'000.0;
 }

@@ -30,11 +30,10 @@ inline constexpr uint32_t max_tree_depth = 60;
 
 /// Builds the tree over triangles that all have an area. The result does not depend on the number of threads.
 ///
-/// Splits minimise the surface area heuristic (MacDonald & Booth 1990). Triangles that straddle a split are clipped to
-/// each side ("perfect splits", Havran 2001), so that the heuristic counts only cells that a triangle really enters.
-/// Large nodes look at evenly spaced planes (binning, Popov et al. 2006, "Experiences with Streaming Construction of
-/// SAH KD-Trees"), small ones at every triangle boundary (Wald & Havran 2006, "On building fast kd-Trees for Ray
-/// Tracing, and on doing that in O(N log N)").
+/// Splits minimise the surface area heuristic (MacDonald & Booth 1990) over planes found by binning (split_search.hpp).
+/// Triangles that straddle a split are cut at it ("perfect splits", Havran 2001), so that the heuristic counts only
+/// cells that a triangle really enters. All threads work on the top of the tree together (top_of_tree.hpp), then each
+/// on subtrees of its own (subtree.hpp).
 [[nodiscard]] KdTree build_kd_tree(std::span<const TriangleCorners> triangles, unsigned threads);
 
 /// A tree that is a single leaf: every ray meets every triangle.

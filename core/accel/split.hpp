@@ -20,7 +20,6 @@ struct Split {
     int32_t lower = 0, upper = 0; ///< expected number of triangles on either side
 
     [[nodiscard]] bool exists() const { return cost < std::numeric_limits<float>::infinity(); }
-
     [[nodiscard]] bool cuts_off_empty_space() const { return exists() && (lower == 0 || upper == 0); }
 
     /// The two cells, given how many references they really got.
@@ -38,6 +37,7 @@ struct Slices {
     [[nodiscard]] float upper_share(float plane) const { return cap + (hi - plane) * girth; }
 };
 
+/// The slices of one cell, across any axis.
 class CellSurface {
 public:
     explicit CellSurface(const Box &cell);

@@ -29,7 +29,7 @@ struct Shipment {
     Box occupied;
 };
 
-/// Some of a cell's references, and what becomes of them.
+/// Some of a cell's references, what is counted of them, and where they go.
 struct Piece {
     std::span<const Reference> references;
     SplitSearch search;
@@ -38,7 +38,7 @@ struct Piece {
 
 /// A cell of the level, its pieces, where it is split and into what.
 struct Task {
-    FilledCell cell;
+    FilledCell from;
     std::vector<Piece> pieces;
     Split split;
     FilledCell lower, upper;
@@ -47,10 +47,11 @@ struct Task {
 /// A thread's own place to divide a piece in, before the parts are copied to their places between other threads'.
 class Workbench {
 public:
-    explicit Workbench(std::span<const TriangleCorners> triangles)
-        : partition_(triangles), lower_(piece_size), upper_(piece_size) {}
+    explicit Workbench(std::span<const TriangleCorners> triangles) : partition_(triangles) {}
 
     void divide(Piece &piece, const Split &split) {
+        lower_.resize(piece_size);
+        upper_.resize(piece_size);
         partition_.divide_as_counted(piece.references, split, lower_.data(), upper_.data());
         ship({lower_.data(), piece.lower.count}, piece.lower);
         ship({upper_.data(), piece.upper.count}, piece.upper);
@@ -86,7 +87,7 @@ private:
     /// Keeps a cell for the next level, or for good if it is small.
     void add(FilledCell cell) {
         if (cell.references.size() <= limit_) return finish(std::move(cell));
-        level_.emplace_back().cell = std::move(cell);
+        level_.emplace_back().from = std::move(cell);
     }
     void finish(FilledCell cell) {
         top_.branches[cell.branch].cell = static_cast<uint32_t>(top_.cells.size());
@@ -107,7 +108,7 @@ private:
         std::vector<Task> tasks = std::exchange(level_, {});
         for (Task &task : tasks) cut_up(task);
         for_each_piece(tasks, [](const Task &task, Piece &piece, unsigned) {
-            piece.search.begin(task.cell.occupied, task.cell.references.size());
+            piece.search.begin(task.from.occupied, task.from.references.size());
             piece.search.add(piece.references);
         });
         for (Task &task : tasks) choose_split(task);
@@ -132,7 +133,7 @@ private:
     }
 
     void cut_up(Task &task) const {
-        const std::span<const Reference> references = task.cell.references;
+        const std::span<const Reference> references = task.from.references;
         for (size_t begin = 0; begin < references.size(); begin += piece_size) {
             const size_t count = std::min(piece_size, references.size() - begin);
             task.pieces.push_back({references.subspan(begin, count), SplitSearch(cost_), {}, {}});
@@ -143,12 +144,12 @@ private:
     void choose_split(Task &task) {
         SplitSearch &search = task.pieces.front().search;
         for (size_t i = 1; i < task.pieces.size(); ++i) search.add(task.pieces[i].search);
-        task.split = search.best(task.cell.cell);
+        task.split = search.best(task.from.cell);
         while (task.split.cuts_off_empty_space()) {
-            cut_off_empty_space(task.cell, task.split);
-            task.split = search.best(task.cell.cell);
+            cut_off_empty_space(task.from, task.split);
+            task.split = search.best(task.from.cell);
         }
-        if (!task.split.exists()) finish(std::move(task.cell));
+        if (!task.split.exists()) finish(std::move(task.from));
     }
 
     /// Leaves the part of the cell that all references are in.
@@ -183,8 +184,8 @@ private:
         }
         task.lower.references.resize(lower_count);
         task.upper.references.resize(upper_count);
-        std::tie(task.lower.cell, task.upper.cell) = task.split.cells(task.cell.cell, lower_count, upper_count);
-        std::tie(task.lower.branch, task.upper.branch) = add_branches(task.cell.branch, task.split);
+        std::tie(task.lower.cell, task.upper.cell) = task.split.cells(task.from.cell, lower_count, upper_count);
+        std::tie(task.lower.branch, task.upper.branch) = add_branches(task.from.branch, task.split);
     }
 
     CostModel cost_;

@@ -36,6 +36,7 @@ struct TriangleData {
     UninitializedVector<TriangleCorners> corners;
     UninitializedVector<TriangleSurface> surfaces;
 
+    /// Of all triangles of the scene, made by so many threads.
     [[nodiscard]] static TriangleData from(const Scene &scene, unsigned threads = 1);
 };
 

@@ -2,20 +2,24 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace glint {
 
-/// Default-initialises where std::allocator zeroes: nothing is written for plain data. Zeroing first would touch all
-/// memory once more, and from one thread.
+/// Leaves out what std::allocator does for an element that is given no value. Writing one first would touch all memory
+/// once more, and from one thread.
 template <typename T> struct UninitializedAllocator : std::allocator<T> {
+    static_assert(std::is_trivially_copyable_v<T>, "such objects are there as soon as their memory is");
+
     template <typename U> struct rebind {
         using other = UninitializedAllocator<U>;
     };
 
-    template <typename U> void construct(U *place) noexcept { ::new (static_cast<void *>(place)) U; }
+    template <typename U> void construct(U *) noexcept {}
     template <typename U, typename... Arguments> void construct(U *place, Arguments &&...arguments) {
-        ::new (static_cast<void *>(place)) U(std::forward<Arguments>(arguments)...);
+        std::construct_at(place, std::forward<Arguments>(arguments)...);
     }
 };
 
