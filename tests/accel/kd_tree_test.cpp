@@ -2,16 +2,20 @@
 #include "accel/kd_tree.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <new>
 
 #include <gtest/gtest.h>
 
 #include "accel/cost_model.hpp"
+#include "accel/parallel_for.hpp"
 #include "accel/reference.hpp"
 #include "accel/tree_statistics.hpp"
 #include "support/meshes.hpp"
+#include "support/random.hpp"
 
 namespace glint::test {
 namespace {
@@ -108,6 +112,22 @@ TEST_P(KdTreeOfEveryMesh, has_the_statistics_that_a_count_gives) {
 INSTANTIATE_TEST_SUITE_P(meshes, KdTreeOfEveryMesh, testing::ValuesIn(all_meshes()),
                          [](const auto &test) { return test.param.name; });
 
+TEST(KdTree, does_not_fill_memory_where_splits_do_not_help) {
+    for (const Mesh &mesh : {soup(30'000), slivers(30'000), stacked_copies(15'000)}) {
+        const auto triangles = corners_of(mesh);
+        const KdTree tree = build_kd_tree(triangles, 2);
+        EXPECT_LT(tree.reference_count(), triangles.size() * 3);
+        EXPECT_LT(tree.nodes.size(), triangles.size() * 3);
+    }
+}
+
+TEST(KdTree, of_a_grid_cuts_no_triangle_twice) {
+    // Planes along the grid's lines are there to be found: few triangles are in more than one leaf.
+    const auto triangles = corners_of(terrain(200));
+    const KdTree tree = build_kd_tree(triangles, 2);
+    EXPECT_LT(static_cast<double>(tree.reference_count()), 1.3 * static_cast<double>(triangles.size()));
+}
+
 TEST(KdTree, sets_triangles_in_a_face_of_the_scene_apart) {
     // A ground plate of long triangles below a finer terrain: cells above the plate must not list it.
     Mesh mesh = terrain(30);
@@ -156,6 +176,60 @@ TEST(Cut, knows_when_a_part_is_empty) {
     EXPECT_FALSE(cut(triangle, touching, 1, 2.0f).upper.empty()) << "(2, 2) is on the long edge";
 }
 
+TEST(Cut, has_every_crossing_of_an_edge_on_both_sides) {
+    Random random(4);
+    int crossings = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const float scale = random.below(2) ? 1e12f : 1e-3f;
+        const auto corner = [&] { return random.in_box(glm::vec3(-scale), glm::vec3(scale)); };
+        const TriangleCorners triangle = {corner(), corner(), corner()};
+        const auto axis = static_cast<int>(random.below(3));
+        const float plane = random.uniform(-scale, scale);
+        const glm::dvec3 p = triangle.a, q = triangle.b;
+        if ((p[axis] < plane) == (q[axis] < plane)) continue;
+        ++crossings;
+        const glm::dvec3 crossing = p + (q - p) * ((plane - p[axis]) / (q[axis] - p[axis]));
+        const double margin = scale * 0x1p-50;
+        const auto [lower, upper] = cut(triangle, triangle.bounds(), axis, plane);
+        for (const Box &part : {lower, upper}) {
+            for (int k = 0; k < 3; ++k) {
+                ASSERT_LE(part.lo[k], crossing[k] + margin);
+                ASSERT_GE(part.hi[k], crossing[k] - margin);
+            }
+        }
+    }
+    EXPECT_GT(crossings, 500);
+}
+
+TEST(Cut, never_loses_a_point_of_the_triangle) {
+    Random random(5);
+    for (int i = 0; i < 2000; ++i) {
+        const float scale = random.below(2) ? 1e12f : 1e-3f, thinness = random.below(2) ? 1.0f : 1e-6f;
+        const auto corner = [&] {
+            const glm::vec3 p = random.in_box(glm::vec3(-scale), glm::vec3(scale));
+            return glm::vec3(p.x, p.y * thinness, p.y + p.z * thinness);
+        };
+        const TriangleCorners triangle = {corner(), corner(), corner()};
+        // Down to a cell as the builder does it, always to the side where this point of the triangle is.
+        const double u = random.uniform(0, 0.5f), v = random.uniform(0, 0.5f);
+        const glm::dvec3 a = triangle.a, b = triangle.b, c = triangle.c;
+        const glm::dvec3 point = a + (b - a) * u + (c - a) * v; // off by less than scale * 2^-50
+        const double margin = scale * 0x1p-50;
+        Box bounds = triangle.bounds();
+        for (int level = 0; level < 20; ++level) {
+            const auto axis = static_cast<int>(random.below(3));
+            const float plane = random.uniform(bounds.lo[axis], bounds.hi[axis]);
+            if (!(bounds.lo[axis] < plane && plane < bounds.hi[axis])) continue;
+            const auto [lower, upper] = cut(triangle, bounds, axis, plane);
+            bounds = point[axis] <= plane ? lower : upper;
+            for (int k = 0; k < 3; ++k) {
+                ASSERT_LE(bounds.lo[k], point[k] + margin);
+                ASSERT_GE(bounds.hi[k], point[k] - margin);
+            }
+        }
+    }
+}
+
 TEST(Cut, never_rounds_inwards) {
     const TriangleCorners triangle = {{0, 0, 0}, {1, 0.1f, 0.3f}, {0.7f, 1, 0.9f}};
     const Box part = cut(triangle, triangle.bounds(), 0, 0.1f).upper;
@@ -163,6 +237,27 @@ TEST(Cut, never_rounds_inwards) {
     const double y_at_lo = double(0.1f) * double(0.1f);
     EXPECT_LE(part.lo.y, y_at_lo);
     EXPECT_GT(std::nextafter(part.lo.y, 1.0f), y_at_lo);
+}
+
+TEST(ParallelFor, calls_once_for_each) {
+    for (const unsigned threads : {1u, 2u, 7u}) {
+        std::vector<std::atomic<int>> calls(1000);
+        parallel_for(calls.size(), threads, [&](size_t i, unsigned thread) {
+            EXPECT_LT(thread, threads);
+            ++calls[i];
+        });
+        EXPECT_TRUE(std::all_of(calls.begin(), calls.end(), [](const auto &count) { return count == 1; }));
+    }
+}
+
+TEST(ParallelFor, rethrows_and_stops) {
+    std::atomic<size_t> calls = 0;
+    const auto fail_early = [&](size_t i, unsigned) {
+        ++calls;
+        if (i == 3) throw std::bad_alloc();
+    };
+    EXPECT_THROW(parallel_for(100'000'000, 2, fail_early), std::bad_alloc);
+    EXPECT_LT(calls, 100'000'000u);
 }
 
 } // namespace
