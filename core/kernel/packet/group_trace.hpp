@@ -19,6 +19,12 @@ struct TraceQuestion {
 /// After this many triangles in a group's beam it pays to look at each block's own beam first.
 inline constexpr uint32_t block_beams_after = 3;
 
+#ifdef COUNTING
+extern "C" unsigned long long glint_counts[3][16];
+#define COUNT(i) (++glint_counts[shares_origin ? any_hit ? 1 : 0 : 2][i])
+#else
+#define COUNT(i) ((void)0)
+#endif
 template <bool shares_origin, bool any_hit> class GroupTrace {
 public:
     /// `rays` holds what RayGroup says; of the selected rays those that are hit are deselected where any hit will do.
@@ -27,6 +33,7 @@ public:
         for (uint32_t &id : seen_) id = no_triangle;
         reach_ = beam.slack * 0x1p20f;
         beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
+        COUNT(4);
     }
 
     /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so far
@@ -45,7 +52,8 @@ public:
         const BeamAxes &axes = beam_.axes;
         while (true) {
             const KdNode node = geometry.nodes[index];
-            if (++steps_ > budget) return false;
+            COUNT(5);
+            if (++steps_ > budget) { COUNT(6); return false; }
             if (!node.is_leaf()) {
                 const auto axis = static_cast<int>(node.axis());
                 const uint32_t lower = index + 1, upper = node.upper_child();
@@ -153,6 +161,7 @@ private:
         dirty_blocks_ = 0;
         for (uint32_t first = 0; first < count; first += lane_count) {
             const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
+            COUNT(7);
             uint32_t entered = triangles_in_beam(beam_, BeamCorners(beam_.axes, words, count, first)) & valid;
             steps_ += 2 * static_cast<uint32_t>(__builtin_popcount(entered));
             for (; entered != 0; entered &= entered - 1) test(words, count, first + lowest_bit(entered));
@@ -177,17 +186,20 @@ private:
             question_.geometry.surfaces[id].surface == question_.passed_surface) {
             return;
         }
+        COUNT(0);
         const TriangleSetup triangle(words, count, i);
+        const ExactPlane plane(triangle);
         if constexpr (shares_origin && any_hit) {
-            if (all_end_before(triangle)) return;
+            if (all_end_before(triangle, plane)) return;
         }
+        COUNT(1);
         uint32_t blocks = (1u << block_count) - 1;
         if (++tested_ > block_beams_after) {
             if (!has_block_beams_) make_block_beams();
             blocks = blocks_.entered_by(beam_.axes, triangle.corners);
         }
         if constexpr (shares_origin) {
-            TriangleFromPoint test(triangle, rays_.shared_origin, beam_.dir_reach);
+            TriangleFromPoint test(triangle, plane, rays_.shared_origin, beam_.dir_reach);
             for (; blocks != 0; blocks &= blocks - 1) {
                 test_block(triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); },
                            [&](uint32_t ray, uint32_t lanes) { return test.distances(rays_.dir(ray), lanes); });
@@ -206,19 +218,18 @@ private:
 
     /// Whether the triangle's plane has all rays, from origin to end, on one side for certain: then no ray can meet it
     /// before its end. True of the surfaces that shadow rays end on, and of all walls of a convex room.
-    HWY_INLINE bool all_end_before(const TriangleSetup &triangle) {
+    HWY_INLINE bool all_end_before(const TriangleSetup &triangle, const ExactPlane &plane) {
         if (!has_ends_) find_ends();
-        const ExactPlane plane(triangle);
-        const Point3 n = plane.normal();
+        const Point3 n = plane.n.rounded();
         const double at_origin = -plane.offset(triangle, rays_.shared_origin);
         const double side = at_origin < 0.0 ? -1.0 : 1.0;
         const auto least = [side](double m, float lo, float hi) {
             const double a = side * m * lo, b = side * m * hi;
             return a < b ? a : b;
         };
-        const double at_ends = least(plane.n_x, ends_lo_.x - triangle.corners[0], ends_hi_.x - triangle.corners[0]) +
-                               least(plane.n_y, ends_lo_.y - triangle.corners[1], ends_hi_.y - triangle.corners[1]) +
-                               least(plane.n_z, ends_lo_.z - triangle.corners[2], ends_hi_.z - triangle.corners[2]);
+        const double at_ends = least(plane.n.x, ends_lo_.x - triangle.corners[0], ends_hi_.x - triangle.corners[0]) +
+                               least(plane.n.y, ends_lo_.y - triangle.corners[1], ends_hi_.y - triangle.corners[1]) +
+                               least(plane.n.z, ends_lo_.z - triangle.corners[2], ends_hi_.z - triangle.corners[2]);
         // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max and
         // the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
         const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_way_ + ends_reach_) +
@@ -259,12 +270,14 @@ private:
             const uint32_t lanes = (bits >> part) & all_lanes;
             if (lanes == 0) continue;
             const uint32_t ray = block * block_size + part;
+            COUNT(2);
             const FilterResult result = filter(ray);
             const Uints id = hn::Set(uints, triangle.id);
             const FloatMask left = hn::RebindMask(floats, hn::Eq(id, hn::Load(uints, rays_.left + ray)));
             const uint32_t possible = bits_of(hn::AndNot(left, result.possible)) & lanes;
             if (possible == 0) continue;
             const uint32_t certain = bits_of(result.certain) & possible;
+            COUNT(3);
             Floats t = distances(ray, certain);
             if (certain != possible) t = with_exact_distances(triangle, ray, possible & ~certain, t);
             const Floats best = hn::Load(floats, rays_.t + ray);
@@ -302,7 +315,7 @@ private:
                 org[1] = rays_.org_y[i];
                 org[2] = rays_.org_z[i];
             }
-            distances[lane] = exact_distance(org, dir, triangle.corners, question_.geometry.bounds);
+            distances[lane] = exact_distance(org, dir, triangle.corners);
         }
         return hn::Load(floats, distances);
     }

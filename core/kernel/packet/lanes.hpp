@@ -99,6 +99,10 @@ HWY_INLINE Floats max_abs(const Points &p) {
     return max3(hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z));
 }
 
+HWY_INLINE Floats sum_abs(const Points &p) {
+    return (hn::Abs(p.x) + hn::Abs(p.y)) + hn::Abs(p.z);
+}
+
 /// Three coordinates of one point or vector.
 struct Point3 {
     float x, y, z;
