@@ -37,8 +37,8 @@ public:
         render_theirs();
         cell.difference = compare_pictures(*ours, *theirs);
 
-        const Frames our_frames{render_ours};
-        const Frames their_frames{render_theirs};
+        const Frames our_frames(render_ours);
+        const Frames their_frames(render_theirs);
         take_turns(our_frames, their_frames, 0.1 * min_seconds, failure); // warms caches and wakes threads
         const Turns turns = take_turns(our_frames, their_frames, min_seconds, failure);
         if (failure) return *failure;
@@ -49,10 +49,14 @@ public:
     }
 
 private:
-    template <typename Render> struct Frames {
-        const Render &render;
+    template <typename Render> class Frames {
+    public:
+        explicit Frames(const Render &render) : render_(render) {}
         void prepare() const {}
-        void run() const { render(); }
+        void run() const { render_(); }
+
+    private:
+        const Render &render_;
     };
 
     template <typename Glint, typename Theirs> static Turns
