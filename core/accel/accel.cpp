@@ -10,6 +10,18 @@
 
 namespace glint {
 
+namespace {
+
+/// Starting a thread takes about as long as building over this many triangles.
+constexpr uint32_t triangles_worth_a_thread = 500;
+
+unsigned threads_for(const AccelOptions &options, uint32_t triangle_count) {
+    const unsigned allowed = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    return std::min(allowed, 1 + triangle_count / triangles_worth_a_thread);
+}
+
+} // namespace
+
 Accel::Accel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Accel::~Accel() = default;
 
@@ -19,12 +31,11 @@ std::shared_ptr<const Accel> Accel::build(std::shared_ptr<const Scene> scene, co
     auto impl = std::make_unique<Impl>();
     impl->scene = std::move(scene);
     impl->kind = options.kind;
-    TriangleData triangles = TriangleData::from(*impl->scene);
+    const unsigned threads = threads_for(options, impl->scene->triangle_count());
+    TriangleData triangles = TriangleData::from(*impl->scene, threads);
     if (options.kind == AccelKind::brute) {
         impl->tree = single_leaf_tree(triangles.corners);
     } else {
-        const unsigned threads =
-            options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
         impl->tree = build_kd_tree(triangles.corners, threads);
     }
     impl->surfaces = std::move(triangles.surfaces);

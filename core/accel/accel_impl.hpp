@@ -13,8 +13,8 @@ namespace glint {
 struct Accel::Impl {
     std::shared_ptr<const Scene> scene;
     AccelKind kind = AccelKind::kdtree;
-    KdTree tree;                           ///< a single leaf for AccelKind::brute
-    std::vector<TriangleSurface> surfaces; ///< by triangle_id
+    KdTree tree;                                   ///< a single leaf for AccelKind::brute
+    UninitializedVector<TriangleSurface> surfaces; ///< by triangle_id
     AccelStatistics statistics;
 };
 

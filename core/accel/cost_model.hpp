@@ -10,31 +10,42 @@ namespace glint {
 class CostModel {
 public:
     /// Of walking through an inner node: the unit.
-    static constexpr double traversal = 1.0;
+    static constexpr float traversal = 1.0f;
     /// A split that cuts off empty space ends rays early, which the heuristic's "rays never stop" does not see: its
     /// cost is scaled by this.
-    static constexpr double empty_space_factor = 0.9;
-    /// Triangles that a leaf tests as one group: a partly filled group costs as much as a full one. The scalar kernel
-    /// tests one by one.
-    static constexpr uint32_t leaf_group = 1;
+    static constexpr float empty_space_factor = 0.9f;
+    /// Triangles that a leaf tests as one group: a partly filled group costs as much as a full one.
+    static constexpr uint32_t leaf_group = 8;
 
     /// While the whole tree stays in a cache near the core, triangle tests are what counts, and smaller leaves pay. In
-    /// a large tree a step is a cache miss and each further node is memory: larger leaves do.
-    explicit CostModel(uint64_t triangle_count) : intersection_(triangle_count <= 10'000 ? 2.0 : 0.7) {}
+    /// a large tree a step is a cache miss and each further node or reference is memory: larger leaves do.
+    explicit CostModel(uint64_t triangle_count) {
+        if (triangle_count <= 10'000) {
+            per_triangle_ = 1.5f;
+            per_group_ = 2.0f;
+        }
+    }
 
-    [[nodiscard]] double leaf(uint64_t triangle_count) const {
-        return intersection_ * static_cast<double>((triangle_count + leaf_group - 1) / leaf_group * leaf_group);
+    [[nodiscard]] float leaf(uint32_t triangle_count) const {
+        // Signed: that is what vector units convert to float.
+        const auto groups = static_cast<int32_t>((triangle_count + leaf_group - 1) / leaf_group);
+        return per_triangle_ * static_cast<float>(static_cast<int32_t>(triangle_count)) +
+               per_group_ * static_cast<float>(groups);
     }
 
     /// Of splitting a cell into two, each reached with the given probability and holding the given number of triangles.
-    [[nodiscard]] double split(double lower_probability, uint64_t lower_count, double upper_probability,
-                               uint64_t upper_count) const {
-        const double cost = traversal + (lower_probability * leaf(lower_count) + upper_probability * leaf(upper_count));
-        return lower_count == 0 || upper_count == 0 ? empty_space_factor * cost : cost;
+    [[nodiscard]] float split(float lower_probability, uint32_t lower_count, float upper_probability,
+                              uint32_t upper_count) const {
+        const float cost = traversal + (lower_probability * leaf(lower_count) + upper_probability * leaf(upper_count));
+        return cost * (lower_count == 0 || upper_count == 0 ? empty_space_factor : 1.0f);
     }
 
+    /// Whether dividing so many triangles can pay. The best that can be had is one triangle left for every ray.
+    [[nodiscard]] bool may_pay(uint32_t triangle_count) const { return leaf(triangle_count) > traversal + leaf(1); }
+
 private:
-    double intersection_;
+    float per_triangle_ = 0.2f;
+    float per_group_ = 2.0f;
 };
 
 } // namespace glint

@@ -22,6 +22,8 @@ public:
     static constexpr uint32_t leaf_tag = 3;
     static constexpr uint32_t max_index = (1u << 30) - 1;
 
+    KdNode() = default; ///< nothing yet
+
     [[nodiscard]] static KdNode inner(uint32_t axis, float split, uint32_t upper_child) {
         return KdNode((upper_child << 2) | axis, std::bit_cast<uint32_t>(split));
     }

@@ -2,21 +2,22 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include <glint/accel.hpp>
 
 #include "accel/kd_node.hpp"
 #include "accel/leaf_triangles.hpp"
 #include "accel/triangle_data.hpp"
+#include "accel/uninitialized_vector.hpp"
 #include "math/box.hpp"
 
 namespace glint {
 
 struct KdTree {
-    Box bounds;                       ///< of all triangles
-    std::vector<KdNode> nodes;        ///< depth-first; node 0 is the root
-    std::vector<uint32_t> leaf_words; ///< triangles, leaf after leaf: see leaf_triangles.hpp
+    Box bounds;                               ///< of all triangles
+    UninitializedVector<KdNode> nodes;        ///< depth-first; node 0 is the root
+    UninitializedVector<uint32_t> leaf_words; ///< triangles, leaf after leaf: see leaf_triangles.hpp
 
     [[nodiscard]] LeafTriangles leaf(const KdNode &node) const {
         return {leaf_words.data(), node.first_reference(), node.reference_count()};
@@ -34,9 +35,9 @@ inline constexpr uint32_t max_tree_depth = 60;
 /// Large nodes look at evenly spaced planes (binning, Popov et al. 2006, "Experiences with Streaming Construction of
 /// SAH KD-Trees"), small ones at every triangle boundary (Wald & Havran 2006, "On building fast kd-Trees for Ray
 /// Tracing, and on doing that in O(N log N)").
-[[nodiscard]] KdTree build_kd_tree(const std::vector<TriangleCorners> &triangles, unsigned threads);
+[[nodiscard]] KdTree build_kd_tree(std::span<const TriangleCorners> triangles, unsigned threads);
 
 /// A tree that is a single leaf: every ray meets every triangle.
-[[nodiscard]] KdTree single_leaf_tree(const std::vector<TriangleCorners> &triangles);
+[[nodiscard]] KdTree single_leaf_tree(std::span<const TriangleCorners> triangles);
 
 } // namespace glint

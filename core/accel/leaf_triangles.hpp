@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "accel/triangle_data.hpp"
 
@@ -39,7 +39,7 @@ private:
 
 /// Writes one leaf to where LeafTriangles will read it.
 inline void write_leaf(uint32_t *words, const uint32_t *triangle_ids, uint32_t count,
-                       const std::vector<TriangleCorners> &corners) {
+                       std::span<const TriangleCorners> corners) {
     for (uint32_t i = 0; i < count; ++i) {
         const float *coordinates = &corners[triangle_ids[i]].a.x;
         for (size_t row = 0; row < 9; ++row) words[row * count + i] = std::bit_cast<uint32_t>(coordinates[row]);

@@ -2,22 +2,29 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "accel/triangle_data.hpp"
 #include "math/box.hpp"
 
 namespace glint {
 
-/// A triangle and the bounds of its part inside a cell.
+/// A triangle and bounds of its part inside a cell.
 struct Reference {
     Box bounds;
     uint32_t triangle_id;
 };
 
-/// Bounds of the part of a triangle inside a closed cell; empty when no part is. Computed in double and rounded
-/// outwards, so that the box never misses any of that part; it never reaches out of the cell.
-/// (Sutherland & Hodgman 1974, "Reentrant polygon clipping".)
-[[nodiscard]] Box clip_to_cell(const TriangleCorners &triangle, const Box &cell);
+/// Bounds of a triangle's parts on either side of a plane; empty where there is no part.
+struct Parts {
+    Box lower, upper;
+};
+
+/// Cuts the part of a triangle that lies in `bounds` at a plane through them. Computed in double and rounded outwards,
+/// so that the boxes never miss any of the triangle; they never reach out of `bounds` or over the plane.
+///
+/// The whole triangle is cut, then the boxes are: looser than cutting what earlier cuts left, but three edges are all
+/// there is to look at (Soupikov et al. 2008, "Fast Parallel Construction of High-Quality Bounding Volume
+/// Hierarchies"; Stich et al. 2009, "Spatial Splits in Bounding Volume Hierarchies").
+[[nodiscard]] Parts cut(const TriangleCorners &triangle, const Box &bounds, int axis, float position);
 
 } // namespace glint

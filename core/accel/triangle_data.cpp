@@ -3,22 +3,29 @@
 
 #include <cmath>
 
+#include "accel/parallel_for.hpp"
 #include "scene/triangle_area.hpp"
 
 namespace glint {
 
-TriangleData TriangleData::from(const Scene &scene) {
+TriangleData TriangleData::from(const Scene &scene, unsigned threads) {
+    constexpr size_t piece_size = 16384;
     TriangleData data;
-    data.corners.reserve(scene.triangle_count());
-    data.surfaces.reserve(scene.triangle_count());
+    data.corners.resize(scene.triangle_count());
+    data.surfaces.resize(scene.triangle_count());
+    size_t first_id = 0;
     for (uint32_t s = 0; s < scene.surface_count(); ++s) {
         const Mesh &mesh = scene.surface_mesh(s);
-        for (const Triangle &t : mesh.triangles) {
-            data.corners.push_back({mesh.positions[t.a], mesh.positions[t.b], mesh.positions[t.c]});
-            const glm::dvec3 n = doubled_area_normal(mesh, t);
-            const double length = std::sqrt((n.x * n.x + n.y * n.y) + n.z * n.z);
-            data.surfaces.push_back({glm::vec3(n / length), s});
-        }
+        parallel_for_pieces(mesh.triangles.size(), piece_size, threads, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                const Triangle &t = mesh.triangles[i];
+                data.corners[first_id + i] = {mesh.positions[t.a], mesh.positions[t.b], mesh.positions[t.c]};
+                const glm::dvec3 n = doubled_area_normal(mesh, t);
+                const double length = std::sqrt((n.x * n.x + n.y * n.y) + n.z * n.z);
+                data.surfaces[first_id + i] = {glm::vec3(n / length), s};
+            }
+        });
+        first_id += mesh.triangles.size();
     }
     return data;
 }

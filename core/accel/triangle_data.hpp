@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include <glint/scene.hpp>
 
+#include "accel/uninitialized_vector.hpp"
 #include "math/box.hpp"
 
 namespace glint {
@@ -33,10 +33,10 @@ static_assert(sizeof(TriangleSurface) == 16);
 
 /// Both arrays are indexed by triangle_id.
 struct TriangleData {
-    std::vector<TriangleCorners> corners;
-    std::vector<TriangleSurface> surfaces;
+    UninitializedVector<TriangleCorners> corners;
+    UninitializedVector<TriangleSurface> surfaces;
 
-    [[nodiscard]] static TriangleData from(const Scene &scene);
+    [[nodiscard]] static TriangleData from(const Scene &scene, unsigned threads = 1);
 };
 
 } // namespace glint

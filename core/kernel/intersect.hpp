@@ -14,6 +14,12 @@ namespace glint {
 /// reach^2 |dir|.
 inline constexpr double least_det = 0x1p-26;
 
+/// A ray grazes where the normal's float dot product with it loses more than four bits: where it is below this times
+/// the largest that its terms can be.
+inline constexpr float least_slope = 0x1p-4f;
+/// How far t may be off, relative to itself: 4 eps / least_slope for the dot product, 2 eps for the rest; a little more.
+inline constexpr float distance_error = 0x1p-17f;
+
 namespace detail {
 
 /// Corners relative to the ray's origin, sheared so that the ray runs along z from (0, 0).
@@ -96,11 +102,13 @@ inline double edge_on_depth(const ShearedTriangle<double> &s) {
 ///  1. in float, the three edge functions with a margin for every rounding so far: settles nearly all rays;
 ///  2. where they are too close to zero, the edge functions again, in double from the original corners: zero counts as
 ///     inside;
-///  3. in double, the distance to the triangle's plane, rounded to float at the end.
+///  3. the distance to the triangle's plane, its normal and offset rounded to float from double; at grazing angles in
+///     double throughout.
 /// The paper decides on the signs of step 1 and goes to double only for zeros; that is watertight too, but places the
 /// hit by corners rounded to float, which shows on large triangles and far from the origin, and at grazing angles its
 /// distance may be that of another point of the triangle. Here a neighbour sees the same double numbers for the shared
-/// edge, so no ray slips between the two; and the distance is good to 2^-24 of the way to the farthest corner.
+/// edge, so no ray slips between the two; and the distance is good to distance_error of itself at any angle, or 2^-24
+/// of the way to the farthest corner if that is more.
 ///
 /// What counts is the outcome of steps 2 and 3. Step 1 never changes it, so a packet kernel may use any filter of its
 /// own in its place and asks here where that filter cannot tell.
@@ -122,13 +130,20 @@ inline float intersect(const PreparedRay &ray, const TriangleCorners &triangle) 
     const glm::dvec3 to_a = glm::dvec3(triangle.a) - glm::dvec3(ray.org);
     const glm::dvec3 e1 = glm::dvec3(triangle.b) - glm::dvec3(triangle.a);
     const glm::dvec3 e2 = glm::dvec3(triangle.c) - glm::dvec3(triangle.a);
-    const glm::dvec3 n = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x};
-    const glm::dvec3 dir(ray.dir);
-    const double det = (n.x * dir.x + n.y * dir.y) + n.z * dir.z;
+    const glm::dvec3 exact_n = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x};
+    const double exact_offset = (exact_n.x * to_a.x + exact_n.y * to_a.y) + exact_n.z * to_a.z;
+
+    const glm::vec3 n(exact_n);
+    const float det = (n.x * ray.dir.x + n.y * ray.dir.y) + n.z * ray.dir.z;
+    const float largest_dir = std::abs(ray.permuted_dir.z);
+    const bool grazing = std::abs(det) < least_slope * ((std::abs(n.x) + std::abs(n.y)) + std::abs(n.z)) * largest_dir;
+    if (certain && !grazing) return static_cast<float>(exact_offset) / det;
+
+    const double exact_det = (exact_n.x * double(ray.dir.x) + exact_n.y * double(ray.dir.y)) + exact_n.z * double(ray.dir.z);
     const double reach = std::max(max_abs(e1), max_abs(e2));
-    // n is good to 2^-52 reach^2 in each component, which moves the point by 2^-50 reach^2 M |dir| / det along the ray:
-    // keep that far below slack, which is 2^-20 M.
-    const bool edge_on = std::abs(det) < least_det * (reach * reach) * std::abs(ray.permuted_dir.z);
+    // The normal is good to 2^-52 reach^2 in each component, which moves the point by 2^-50 reach^2 M |dir| / det along
+    // the ray: keep that far below slack, which is 2^-20 M.
+    const bool edge_on = std::abs(exact_det) < least_det * (reach * reach) * largest_dir;
     if (!certain || edge_on) {
         const ShearedTriangle<double> s(triangle, ray);
         const double u = s.cx * s.by - s.cy * s.bx;
@@ -138,7 +153,7 @@ inline float intersect(const PreparedRay &ray, const TriangleCorners &triangle) 
         if (u == 0.0 && v == 0.0 && w == 0.0) return NAN;
         if (edge_on) return static_cast<float>(detail::edge_on_depth(s) / ray.permuted_dir.z);
     }
-    return static_cast<float>(((n.x * to_a.x + n.y * to_a.y) + n.z * to_a.z) / det);
+    return grazing ? static_cast<float>(exact_offset / exact_det) : static_cast<float>(exact_offset) / det;
 }
 
 } // namespace glint

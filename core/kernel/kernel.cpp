@@ -17,10 +17,44 @@ constexpr std::array names = {NamedIsa{Isa::scalar, "scalar"}, NamedIsa{Isa::sse
                               NamedIsa{Isa::avx2, "avx2"},     NamedIsa{Isa::avx512, "avx512"},
                               NamedIsa{Isa::neon, "neon"},     NamedIsa{Isa::wasm, "wasm"}};
 
+// Each names what packet/kernel_<isa>.cpp is compiled with (CMakeLists.txt); the compiler's runtime also asks whether
+// the system saves the wide registers.
+#if defined(__x86_64__) && defined(__GNUC__)
+bool cpu_has_sse4() {
+    return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes");
+}
+bool cpu_has_avx2() {
+    return cpu_has_sse4() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("f16c");
+}
+bool cpu_has_avx512() {
+    return cpu_has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+}
+#endif
+
 /// Kernels that this machine can run, slowest first.
 class AvailableKernels {
 public:
-    AvailableKernels() { add(scalar_kernel, true); }
+    AvailableKernels() {
+        add(scalar_kernel, true);
+#ifdef GLINT_HAS_sse4
+        add(sse4_kernel, cpu_has_sse4());
+#endif
+#ifdef GLINT_HAS_avx2
+        add(avx2_kernel, cpu_has_avx2());
+#endif
+#ifdef GLINT_HAS_avx512
+        add(avx512_kernel, cpu_has_avx512());
+#endif
+#ifdef GLINT_HAS_neon
+        add(neon_kernel, true); // part of every AArch64
+#endif
+#ifdef GLINT_HAS_wasm
+        add(wasm_kernel, true); // a module with SIMD does not load elsewhere
+#endif
+    }
 
     [[nodiscard]] std::span<const Isa> isas() const { return {isas_.data(), count_}; }
     [[nodiscard]] const Kernel &kernel(Isa isa) const {

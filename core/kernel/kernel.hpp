@@ -2,6 +2,7 @@
 // whole batches of rays.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct KernelScene {
     const LightShading *lights;
     uint32_t light_count;
     Color background;
+    bool may_branch;    ///< some surface both mirrors and transmits
     float offset_floor; ///< least length scale for moving ray origins off surfaces, in scene units
 };
 
@@ -71,9 +73,13 @@ struct PendingRay {
 /// Memory that a worker reuses from tile to tile.
 struct KernelScratch {
     std::vector<PendingRay> pending;
+    std::byte *memory = nullptr; ///< Kernel::scratch_bytes() of it, aligned to scratch_alignment
     RayCounts rays;
 };
 
+inline constexpr size_t scratch_alignment = 64;
+
+using ScratchBytes = size_t (*)(const KernelScene &, const KernelFrame &);
 using RenderTile = void (*)(const KernelScene &, const KernelFrame &, Tile, KernelScratch &);
 using ClosestHits = void (*)(const GeometryView &, const RayBatch &, const HitBatch &);
 using AnyHits = void (*)(const GeometryView &, const RayBatch &, uint8_t *occluded);
@@ -81,6 +87,7 @@ using AnyHits = void (*)(const GeometryView &, const RayBatch &, uint8_t *occlud
 /// What is compiled per instruction set.
 struct Kernel {
     Isa isa;
+    ScratchBytes scratch_bytes; ///< of KernelScratch::memory for tiles of this picture
     RenderTile render_tile;
     ClosestHits closest_hits;
     AnyHits any_hits;
@@ -88,6 +95,8 @@ struct Kernel {
 
 /// The kernel that is written for clarity, one ray at a time. The others are tested against it, bit by bit.
 extern const Kernel scalar_kernel;
+/// Kernels on packets of rays, where they were built in: see packet/.
+extern const Kernel sse4_kernel, avx2_kernel, avx512_kernel, neon_kernel, wasm_kernel;
 
 /// The kernel for an available instruction set; the scalar one for any other.
 [[nodiscard]] const Kernel &kernel_for(Isa isa);

@@ -162,6 +162,10 @@ Color trace(const KernelScene &scene, const Ray &primary, uint32_t max_depth, Ke
     return color;
 }
 
+size_t scratch_bytes(const KernelScene &, const KernelFrame &) {
+    return 0;
+}
+
 void render_tile(const KernelScene &scene, const KernelFrame &frame, Tile tile, KernelScratch &scratch) {
     const Camera &camera = frame.camera;
     const float inverse_width = 1.0f / static_cast<float>(frame.width_px);
@@ -209,6 +213,6 @@ void any_hits(const GeometryView &geometry, const RayBatch &rays, uint8_t *occlu
 
 } // namespace
 
-const Kernel scalar_kernel = {Isa::scalar, render_tile, closest_hits, any_hits};
+const Kernel scalar_kernel = {Isa::scalar, scratch_bytes, render_tile, closest_hits, any_hits};
 
 } // namespace glint

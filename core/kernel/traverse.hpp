@@ -30,8 +30,13 @@ struct Interval {
     float t_near, t_far;
 };
 
+/// Where a hit at t counts, the search goes as far as this: the hit's own place may be a little farther.
+inline float search_end(float t) {
+    return t + distance_error * t;
+}
+
 inline Interval clip_to_box(const PreparedRay &ray, const Box &box, float t_max) {
-    Interval part{0.0f, t_max};
+    Interval part{0.0f, search_end(t_max)};
     for (int axis = 0; axis < 3; ++axis) {
         const float t_lo = (box.lo[axis] - ray.org[axis]) * ray.inverse_dir[axis];
         const float t_hi = (box.hi[axis] - ray.org[axis]) * ray.inverse_dir[axis];
@@ -43,7 +48,7 @@ inline Interval clip_to_box(const PreparedRay &ray, const Box &box, float t_max)
     return part;
 }
 
-/// Calls visit(leaf) for every leaf that the given part of the ray may reach before t_max, near leaves
+/// Calls visit(leaf) for every leaf that the given part of the ray may reach before search_end(t_max), near leaves
 /// first, until a call returns true. `visit` may lower t_max. Leaves within the ray's slack are visited too.
 ///
 /// Correct because of this: where the exact ray meets a triangle at t, some leaf's cell holds that point and lists the
@@ -85,7 +90,7 @@ void walk_tree(const GeometryView &geometry, const PreparedRay &ray, Interval pa
         do {
             if (pending == 0) return;
             --pending;
-        } while (stack[pending].t_near > t_max);
+        } while (stack[pending].t_near > search_end(t_max));
         index = stack[pending].node;
         t_near = stack[pending].t_near;
         t_far = stack[pending].t_far;
@@ -115,7 +120,7 @@ inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, flo
 template <typename CanBlock>
 bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, CanBlock &&can_block) {
     bool blocked = false;
-    walk_tree(geometry, ray, {0.0f, t_max}, t_max, [&](const LeafTriangles &leaf) {
+    walk_tree(geometry, ray, {0.0f, search_end(t_max)}, t_max, [&](const LeafTriangles &leaf) {
         for (uint32_t i = 0; i < leaf.count() && !blocked; ++i) {
             if (!can_block(leaf.triangle_id(i))) continue;
             const float t = intersect(ray, leaf.corners(i));

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "kernel/kernel.hpp"
+#include "render/aligned_memory.hpp"
 #include "render/shading_tables.hpp"
 #include "render/tiling.hpp"
 #include "render/worker_pool.hpp"
@@ -34,6 +35,7 @@ struct Renderer::Impl {
     /// A worker's memory, on cache lines of its own: the ray counts are written all the time.
     struct alignas(128) Worker {
         KernelScratch scratch;
+        AlignedMemory memory;
     };
 
     std::shared_ptr<const Accel> accel;
@@ -80,7 +82,11 @@ Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptio
     RenderControl &watch = control ? *control : uncontrolled;
     watch.tiles_done_.store(0, std::memory_order_relaxed);
     watch.tile_count_.store(tiling.count(), std::memory_order_relaxed);
-    for (Impl::Worker &worker : impl_->workers) worker.scratch.rays = {};
+    const size_t scratch_bytes = impl_->kernel.scratch_bytes(kernel_scene, frame);
+    for (Impl::Worker &worker : impl_->workers) {
+        worker.scratch.rays = {};
+        worker.scratch.memory = worker.memory.at_least(scratch_bytes);
+    }
 
     std::atomic<uint32_t> next_tile{0};
     impl_->pool.run([&](unsigned worker) {

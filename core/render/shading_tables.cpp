@@ -40,6 +40,9 @@ KernelScene ShadingTables::kernel_scene() const {
     scene.surfaces = surfaces_.data();
     scene.lights = lights_.data();
     scene.light_count = static_cast<uint32_t>(lights_.size());
+    for (const SurfaceShading &surface : surfaces_) {
+        scene.may_branch = scene.may_branch || (surface.reflection > 0.0f && surface.transmission > 0.0f);
+    }
     scene.background = accel_.scene().background();
     // Points near the world's origin have small coordinates but no smaller errors: let no offset fall below 2^-28 of
     // the scene's reach.

@@ -1,0 +1,38 @@
+// A loop whose turns are shared out among threads.
+#include "accel/parallel_for.hpp"
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace glint {
+
+void parallel_for(size_t count, unsigned threads, const std::function<void(size_t, unsigned)> &body) {
+    std::atomic<size_t> next = 0;
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto work = [&](unsigned thread) {
+        try {
+            for (size_t i = next++; i < count; i = next++) body(i, thread);
+        } catch (...) {
+            next = count;
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        try {
+            for (unsigned i = 1; i < threads && i < count; ++i) others.emplace_back(work, i);
+        } catch (const std::system_error &) {
+            // The system gives no more threads: go on with those there are.
+        }
+        work(0);
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+} // namespace glint

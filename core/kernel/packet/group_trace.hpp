@@ -1,0 +1,345 @@
+// A group of rays that go one way: the kd-tree is walked once for all of them.
+#pragma once
+
+#include "kernel/packet/block_beams.hpp"
+#include "kernel/packet/triangle_test.hpp"
+#include "kernel/traverse.hpp"
+
+namespace glint::HWY_NAMESPACE {
+
+/// No surface: see TraceQuestion.
+inline constexpr uint32_t no_surface = UINT32_MAX;
+
+/// What is asked of a ray: the closest hit, or whether there is any. Shadow rays pass through their light's own mesh.
+struct TraceQuestion {
+    const GeometryView &geometry;
+    uint32_t passed_surface = no_surface;
+};
+
+/// After this many triangles in a group's beam it pays to look at each block's own beam first.
+inline constexpr uint32_t block_beams_after = 3;
+
+template <bool shares_origin, bool any_hit> class GroupTrace {
+public:
+    /// `rays` holds what RayGroup says; of the selected rays those that are hit are deselected where any hit will do.
+    HWY_INLINE GroupTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, const Beam &beam)
+        : question_(question), rays_(rays), selection_(selection), beam_(beam) {
+        for (uint32_t &id : seen_) id = no_triangle;
+        reach_ = beam.slack * 0x1p20f;
+        beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
+    }
+
+    /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so far
+    /// stands, and makes the next attempt with fewer rays cheaper.
+    HWY_INLINE bool run(uint32_t budget) {
+        const GeometryView &geometry = question_.geometry;
+        Cell cell = root_cell(geometry.bounds);
+        if (!enter(cell)) return true;
+        struct Pending {
+            uint32_t node;
+            Cell cell;
+        };
+        Pending stack[max_tree_depth];
+        int pending = 0;
+        uint32_t index = 0;
+        const BeamAxes &axes = beam_.axes;
+        while (true) {
+            const KdNode node = geometry.nodes[index];
+            if (++steps_ > budget) return false;
+            if (!node.is_leaf()) {
+                const auto axis = static_cast<int>(node.axis());
+                const uint32_t lower = index + 1, upper = node.upper_child();
+                const float split = node.split() - coordinate(axes.base, axis);
+                Cell other = cell;
+                if (axis == axes.z) {
+                    // Lower is nearer, unless z is turned round.
+                    const bool turned = axes.sign < 0.0f;
+                    const float z = split * axes.sign;
+                    cell.z_hi = z;
+                    other.z_lo = z;
+                    const bool enters_near = z >= beam_.z_begin && enter(cell);
+                    const bool enters_far = z <= beam_.z_end && enter(other);
+                    const uint32_t near_child = turned ? upper : lower, far_child = turned ? lower : upper;
+                    if (enters_near) {
+                        if (enters_far) stack[pending++] = {far_child, other};
+                        index = near_child;
+                        continue;
+                    }
+                    if (enters_far) {
+                        cell = other;
+                        index = far_child;
+                        continue;
+                    }
+                } else {
+                    const int side = axis == axes.u ? 0 : 2;
+                    const bool enters_lower = split >= -cell.side[side], enters_upper = split <= cell.side[side + 1];
+                    cell.hi[side / 2] = split;
+                    other.lo[side / 2] = split;
+                    if (enters_lower && enters_upper) {
+                        // The half that the rays are in before they cross the plane comes first: judged by the beam's
+                        // middle, or by the shared origin where the beam goes both ways.
+                        const float rising = beam_.slope[side + 1] - beam_.slope[side];
+                        const bool both_ways = beam_.slope[side] > 0.0f && beam_.slope[side + 1] > 0.0f;
+                        const bool lower_first = both_ways ? split > 0.0f : rising > 0.0f;
+                        if (lower_first) {
+                            stack[pending++] = {upper, other};
+                            index = lower;
+                        } else {
+                            stack[pending++] = {lower, cell};
+                            cell = other;
+                            index = upper;
+                        }
+                        continue;
+                    }
+                    if (enters_lower) {
+                        index = lower;
+                        continue;
+                    }
+                    if (enters_upper) {
+                        cell = other;
+                        index = upper;
+                        continue;
+                    }
+                }
+            } else if (visit_leaf(node)) {
+                return true;
+            }
+            do {
+                if (pending == 0) return true;
+                --pending;
+            } while (stack[pending].cell.z_lo > beam_.z_end);
+            index = stack[pending].node;
+            cell = stack[pending].cell;
+        }
+    }
+
+private:
+    /// A cell in the beam's coordinates (lo and hi of u and v), and the beam's sides over the cell's depths.
+    struct Cell {
+        float z_lo, z_hi;
+        float lo[2], hi[2];
+        float side[4];
+    };
+
+    HWY_INLINE Cell root_cell(const Box &box) const {
+        const BeamAxes &axes = beam_.axes;
+        const Point3 lo = {box.lo.x, box.lo.y, box.lo.z}, hi = {box.hi.x, box.hi.y, box.hi.z};
+        Cell cell;
+        cell.lo[0] = coordinate(lo, axes.u) - axes.base_u();
+        cell.hi[0] = coordinate(hi, axes.u) - axes.base_u();
+        cell.lo[1] = coordinate(lo, axes.v) - axes.base_v();
+        cell.hi[1] = coordinate(hi, axes.v) - axes.base_v();
+        const float a = (coordinate(lo, axes.z) - axes.base_z()) * axes.sign,
+                    b = (coordinate(hi, axes.z) - axes.base_z()) * axes.sign;
+        cell.z_lo = smaller(a, b);
+        cell.z_hi = larger(a, b);
+        return cell;
+    }
+
+    /// Works out the beam's sides over the cell's depths; false where the beam passes by the cell.
+    HWY_INLINE bool enter(Cell &cell) const {
+        const float from = larger(cell.z_lo, beam_.z_begin), to = smaller(cell.z_hi, beam_.z_end);
+        for (int i = 0; i < 4; ++i) {
+            cell.side[i] = beam_.offset[i] + larger(beam_.slope[i] * from, beam_.slope[i] * to);
+        }
+        return from <= to + 2.0f * beam_.slack && cell.lo[0] <= cell.side[1] && cell.hi[0] >= -cell.side[0] &&
+               cell.lo[1] <= cell.side[3] && cell.hi[1] >= -cell.side[2];
+    }
+
+    /// True when there is nothing left to trace.
+    HWY_INLINE bool visit_leaf(const KdNode &node) {
+        const uint32_t count = node.reference_count();
+        const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{node.first_reference()};
+        dirty_blocks_ = 0;
+        for (uint32_t first = 0; first < count; first += lane_count) {
+            const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
+            uint32_t entered = triangles_in_beam(beam_, BeamCorners(beam_.axes, words, count, first)) & valid;
+            steps_ += 2 * static_cast<uint32_t>(__builtin_popcount(entered));
+            for (; entered != 0; entered &= entered - 1) test(words, count, first + lowest_bit(entered));
+        }
+        if (dirty_blocks_ == 0) return false;
+        if (any_hit && selection_.empty()) return true;
+        if (has_block_beams_) {
+            for (uint32_t blocks = dirty_blocks_; blocks != 0; blocks &= blocks - 1) update_end(lowest_bit(blocks));
+            beam_.z_end = largest_end();
+        } else {
+            beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
+        }
+        return false;
+    }
+
+    HWY_INLINE void test(const uint32_t *words, uint32_t count, uint32_t i) {
+        const uint32_t id = words[9 * count + i];
+        uint32_t &seen = seen_[id % seen_slots];
+        if (seen == id) return;
+        seen = id;
+        if (any_hit && question_.passed_surface != no_surface &&
+            question_.geometry.surfaces[id].surface == question_.passed_surface) {
+            return;
+        }
+        const TriangleSetup triangle(words, count, i);
+        if constexpr (shares_origin && any_hit) {
+            if (all_end_before(triangle)) return;
+        }
+        uint32_t blocks = (1u << block_count) - 1;
+        if (++tested_ > block_beams_after) {
+            if (!has_block_beams_) make_block_beams();
+            blocks = blocks_.entered_by(beam_.axes, triangle.corners);
+        }
+        if constexpr (shares_origin) {
+            TriangleFromPoint test(triangle, rays_.shared_origin, beam_.dir_reach);
+            for (; blocks != 0; blocks &= blocks - 1) {
+                test_block(triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); },
+                           [&](uint32_t ray, uint32_t lanes) { return test.distances(rays_.dir(ray), lanes); });
+            }
+        } else {
+            const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
+            for (; blocks != 0; blocks &= blocks - 1) {
+                test_block(triangle, lowest_bit(blocks),
+                           [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
+                           [&](uint32_t ray, uint32_t lanes) {
+                               return test.distances(rays_.org(ray), rays_.dir(ray), lanes);
+                           });
+            }
+        }
+    }
+
+    /// Whether the triangle's plane has all rays, from origin to end, on one side for certain: then no ray can meet it
+    /// before its end. True of the surfaces that shadow rays end on, and of all walls of a convex room.
+    HWY_INLINE bool all_end_before(const TriangleSetup &triangle) {
+        if (!has_ends_) find_ends();
+        const ExactPlane plane(triangle);
+        const Point3 n = plane.normal();
+        const double at_origin = -plane.offset(triangle, rays_.shared_origin);
+        const double side = at_origin < 0.0 ? -1.0 : 1.0;
+        const auto least = [side](double m, float lo, float hi) {
+            const double a = side * m * lo, b = side * m * hi;
+            return a < b ? a : b;
+        };
+        const double at_ends = least(plane.n_x, ends_lo_.x - triangle.corners[0], ends_hi_.x - triangle.corners[0]) +
+                               least(plane.n_y, ends_lo_.y - triangle.corners[1], ends_hi_.y - triangle.corners[1]) +
+                               least(plane.n_z, ends_lo_.z - triangle.corners[2], ends_hi_.z - triangle.corners[2]);
+        // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max and
+        // the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
+        const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_way_ + ends_reach_) +
+                              double(0x1p-46f * triangle.edge_reach) * triangle.edge_reach * reach_;
+        return at_origin * side > margin && at_ends > margin;
+    }
+
+    HWY_NOINLINE void find_ends() {
+        const Floats infinity = splat(__builtin_inff());
+        Points lo = {infinity, infinity, infinity}, hi = {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)};
+        const Points org = splat(rays_.shared_origin);
+        Floats way = hn::Zero(floats);
+        for_each_vector(selection_, [&](uint32_t ray, uint32_t lane_bits) {
+            const FloatMask lanes = mask_of(lane_bits);
+            const Points dir = rays_.dir(ray);
+            const Floats t = hn::Load(floats, rays_.t + ray) * splat(1.0f + 0x1p-22f);
+            const auto extend = [&](Floats &low, Floats &high, Floats o, Floats d) {
+                const Floats way_along = d * t, end = o + way_along;
+                way = hn::Max(way, hn::IfThenElseZero(lanes, hn::Abs(way_along)));
+                low = hn::Min(low, hn::IfThenElse(lanes, end, infinity));
+                high = hn::Max(high, hn::IfThenElse(lanes, end, hn::Neg(infinity)));
+            };
+            extend(lo.x, hi.x, org.x, dir.x);
+            extend(lo.y, hi.y, org.y, dir.y);
+            extend(lo.z, hi.z, org.z, dir.z);
+        });
+        ends_lo_ = {least_lane(lo.x), least_lane(lo.y), least_lane(lo.z)};
+        ends_hi_ = {greatest_lane(hi.x), greatest_lane(hi.y), greatest_lane(hi.z)};
+        ends_way_ = greatest_lane(way);
+        ends_reach_ = larger(max_abs(ends_lo_), max_abs(ends_hi_));
+        has_ends_ = true;
+    }
+
+    template <typename Filter, typename Distances>
+    HWY_INLINE void test_block(const TriangleSetup &triangle, uint32_t block, Filter &&filter, Distances &&distances) {
+        const uint32_t bits = selection_.blocks[block];
+        for (uint32_t part = 0; part < block_size; part += lane_count) {
+            const uint32_t lanes = (bits >> part) & all_lanes;
+            if (lanes == 0) continue;
+            const uint32_t ray = block * block_size + part;
+            const FilterResult result = filter(ray);
+            const Uints id = hn::Set(uints, triangle.id);
+            const FloatMask left = hn::RebindMask(floats, hn::Eq(id, hn::Load(uints, rays_.left + ray)));
+            const uint32_t possible = bits_of(hn::AndNot(left, result.possible)) & lanes;
+            if (possible == 0) continue;
+            const uint32_t certain = bits_of(result.certain) & possible;
+            Floats t = distances(ray, certain);
+            if (certain != possible) t = with_exact_distances(triangle, ray, possible & ~certain, t);
+            const Floats best = hn::Load(floats, rays_.t + ray);
+            FloatMask nearer = hn::Lt(t, best);
+            if constexpr (!any_hit) {
+                const Uints best_id = hn::Load(uints, rays_.triangle_id + ray);
+                const FloatMask lower_id = hn::RebindMask(floats, hn::Lt(id, best_id));
+                nearer = hn::Or(nearer, hn::And(hn::Eq(t, best), lower_id));
+            }
+            const FloatMask hit = hn::And(hn::And(nearer, hn::Gt(t, hn::Zero(floats))), mask_of(possible));
+            const uint32_t hit_bits = bits_of(hit);
+            if (hit_bits == 0) continue;
+            dirty_blocks_ |= 1u << block;
+            if constexpr (any_hit) {
+                selection_.remove(ray, hit_bits);
+            } else {
+                hn::Store(hn::IfThenElse(hit, t, best), floats, rays_.t + ray);
+                const Uints old = hn::Load(uints, rays_.triangle_id + ray);
+                hn::Store(hn::IfThenElse(hn::RebindMask(uints, hit), id, old), uints, rays_.triangle_id + ray);
+            }
+        }
+    }
+
+    /// Asks the definition for some of the lanes.
+    HWY_NOINLINE Floats with_exact_distances(const TriangleSetup &triangle, uint32_t ray, uint32_t lanes,
+                                             Floats t) const {
+        alignas(64) float distances[lane_count];
+        hn::Store(t, floats, distances);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const uint32_t lane = lowest_bit(lanes), i = ray + lane;
+            const float dir[3] = {rays_.dir_x[i], rays_.dir_y[i], rays_.dir_z[i]};
+            float org[3] = {rays_.shared_origin.x, rays_.shared_origin.y, rays_.shared_origin.z};
+            if (!shares_origin) {
+                org[0] = rays_.org_x[i];
+                org[1] = rays_.org_y[i];
+                org[2] = rays_.org_z[i];
+            }
+            distances[lane] = exact_distance(org, dir, triangle.corners, question_.geometry.bounds);
+        }
+        return hn::Load(floats, distances);
+    }
+
+    HWY_NOINLINE void make_block_beams() {
+        make_block_sides<shares_origin>(rays_, selection_, beam_, blocks_);
+        for (uint32_t block = 0; block < block_count; ++block) update_end(block);
+        has_block_beams_ = true;
+    }
+    HWY_INLINE void update_end(uint32_t block) {
+        blocks_.z_end[block] = block_end<shares_origin>(rays_, block, selection_.blocks[block], beam_);
+    }
+    HWY_INLINE float largest_end() const {
+        Floats end = hn::Load(floats, blocks_.z_end);
+        for (uint32_t b = lane_count; b < block_count; b += lane_count) {
+            end = hn::Max(end, hn::Load(floats, blocks_.z_end + b));
+        }
+        return greatest_lane(end);
+    }
+
+    /// A triangle in several leaves is tested once, if it is remembered.
+    static constexpr uint32_t seen_slots = 64;
+
+    const TraceQuestion &question_;
+    RayGroup &rays_;
+    RaySelection &selection_;
+    Beam beam_;
+    float reach_;
+    uint32_t steps_ = 0;
+    uint32_t tested_ = 0;
+    uint32_t dirty_blocks_ = 0;
+    uint32_t seen_[seen_slots];
+    bool has_block_beams_ = false;
+    bool has_ends_ = false;
+    Point3 ends_lo_, ends_hi_;    ///< box around the rays' ends
+    float ends_way_, ends_reach_; ///< largest coordinate of a ray from origin to end; of an end
+    BlockBeams blocks_;
+};
+
+} // namespace glint::HWY_NAMESPACE

@@ -1,0 +1,119 @@
+// The vector vocabulary of the packet kernels: Highway's types for the one instruction set a file is compiled for.
+// Headers in this folder are included by the kernel_<isa>.cpp files only. All they define lies in a namespace of the
+// instruction set's own, and nothing in them may leave an inline function or template of another namespace behind: the
+// linker would be free to let the rest of the program use a copy with wide instructions in it.
+#pragma once
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace glint::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::ScalableTag<int32_t>;
+using UintTag = hn::ScalableTag<uint32_t>;
+using DoubleTag = hn::ScalableTag<double>;
+using HalfFloatTag = hn::Half<FloatTag>; ///< as many floats as a vector holds doubles
+
+using Floats = hn::Vec<FloatTag>;
+using Ints = hn::Vec<IntTag>;
+using Uints = hn::Vec<UintTag>;
+using Doubles = hn::Vec<DoubleTag>;
+using FloatMask = hn::Mask<FloatTag>;
+
+inline constexpr FloatTag floats;
+inline constexpr IntTag ints;
+inline constexpr UintTag uints;
+inline constexpr DoubleTag doubles;
+inline constexpr HalfFloatTag half_floats;
+
+inline constexpr uint32_t lane_count = HWY_MAX_BYTES / sizeof(float);
+inline constexpr uint32_t all_lanes = lane_count == 32 ? ~0u : (1u << lane_count) - 1;
+
+/// The smaller and larger of scalars, without <algorithm>.
+template <typename T> HWY_INLINE T smaller(T a, T b) {
+    return a < b ? a : b;
+}
+template <typename T> HWY_INLINE T larger(T a, T b) {
+    return a > b ? a : b;
+}
+HWY_INLINE float magnitude(float a) {
+    return __builtin_fabsf(a);
+}
+HWY_INLINE uint32_t lowest_bit(uint32_t bits) {
+    return static_cast<uint32_t>(__builtin_ctz(bits));
+}
+
+HWY_INLINE Floats splat(float value) {
+    return hn::Set(floats, value);
+}
+
+/// Lane i of a mask as bit i, and back.
+HWY_INLINE uint32_t bits_of(FloatMask mask) {
+    uint8_t bytes[8] = {};
+    hn::StoreMaskBits(floats, mask, bytes);
+    return uint32_t{bytes[0]} | uint32_t{bytes[1]} << 8;
+}
+HWY_INLINE FloatMask mask_of(uint32_t bits) {
+    const uint8_t bytes[8] = {static_cast<uint8_t>(bits), static_cast<uint8_t>(bits >> 8)};
+    return hn::LoadMaskBits(floats, bytes);
+}
+
+HWY_INLINE Floats min3(Floats a, Floats b, Floats c) {
+    return hn::Min(hn::Min(a, b), c);
+}
+HWY_INLINE Floats max3(Floats a, Floats b, Floats c) {
+    return hn::Max(hn::Max(a, b), c);
+}
+HWY_INLINE float least_lane(Floats a) {
+    return hn::GetLane(hn::MinOfLanes(floats, a));
+}
+HWY_INLINE float greatest_lane(Floats a) {
+    return hn::GetLane(hn::MaxOfLanes(floats, a));
+}
+
+/// A vector of floats as doubles: the lower lanes, the upper lanes.
+struct DoubleLanes {
+    Doubles lower, upper;
+};
+HWY_INLINE DoubleLanes promote(Floats a) {
+    return {hn::PromoteTo(doubles, hn::LowerHalf(half_floats, a)), hn::PromoteTo(doubles, hn::UpperHalf(half_floats, a))};
+}
+HWY_INLINE Floats demote(DoubleLanes a) {
+    return hn::Combine(floats, hn::DemoteTo(half_floats, a.upper), hn::DemoteTo(half_floats, a.lower));
+}
+
+/// Three coordinates of lane_count points or vectors.
+struct Points {
+    Floats x, y, z;
+};
+HWY_INLINE Floats dot(const Points &a, const Points &b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+HWY_INLINE Floats max_abs(const Points &p) {
+    return max3(hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z));
+}
+
+/// Three coordinates of one point or vector.
+struct Point3 {
+    float x, y, z;
+};
+HWY_INLINE Point3 cross(const Point3 &a, const Point3 &b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+HWY_INLINE float max_abs(const Point3 &p) {
+    return larger(larger(magnitude(p.x), magnitude(p.y)), magnitude(p.z));
+}
+HWY_INLINE float sum_abs(const Point3 &p) {
+    return (magnitude(p.x) + magnitude(p.y)) + magnitude(p.z);
+}
+HWY_INLINE Points splat(const Point3 &p) {
+    return {splat(p.x), splat(p.y), splat(p.z)};
+}
+
+} // namespace glint::HWY_NAMESPACE

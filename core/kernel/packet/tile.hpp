@@ -1,0 +1,137 @@
+// A whole tile: camera rays, levels of recursion, bytes.
+#pragma once
+
+#include "kernel/packet/shade.hpp"
+
+namespace glint::HWY_NAMESPACE {
+
+/// Where a ray's pixel stands in a tile of 16 x 16: blocks of 4 x 4, in rows.
+struct PixelPlace {
+    uint32_t x, y;
+};
+HWY_INLINE PixelPlace place_of(uint32_t ray) {
+    const uint32_t block = ray / block_size, within = ray % block_size;
+    return {block % 4 * 4 + within % 4, block / 4 * 4 + within / 4};
+}
+
+/// Where the lanes of a vector stand in its block.
+alignas(64) inline constexpr float lane_x[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) inline constexpr float lane_y[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+/// The rays through the centres of a tile's pixels.
+HWY_INLINE void make_primary_rays(const KernelFrame &frame, const Tile &tile, RayLevel &level) {
+    const Camera &camera = frame.camera;
+    const Floats inverse_width = splat(1.0f / static_cast<float>(frame.width_px));
+    const Floats inverse_height = splat(1.0f / static_cast<float>(frame.height_px));
+    const Points to_corner = {splat(camera.top_left.x - camera.eye.x), splat(camera.top_left.y - camera.eye.y),
+                              splat(camera.top_left.z - camera.eye.z)};
+    const Points right = points_of(camera.right), down = points_of(camera.down);
+    const uint32_t width = tile.x1 - tile.x0, height = tile.y1 - tile.y0;
+    level.selection.clear();
+    level.depth = 0;
+    level.rays.shared_origin = {camera.eye.x, camera.eye.y, camera.eye.z};
+    for (uint32_t ray = 0; ray < group_size; ray += lane_count) {
+        const PixelPlace first = place_of(ray);
+        if (first.x >= width || first.y >= height) continue;
+        uint32_t inside = all_lanes;
+        if (width < 16 || height < 16) {
+            for (uint32_t lane = 0; lane < lane_count; ++lane) {
+                if (first.x + lane % 4 >= width || first.y + lane / 4 >= height) inside &= ~(1u << lane);
+            }
+        }
+        const Floats x = splat(static_cast<float>(tile.x0 + first.x)) + hn::Load(floats, lane_x);
+        const Floats y = splat(static_cast<float>(tile.y0 + first.y)) + hn::Load(floats, lane_y);
+        const Floats u = (x + splat(0.5f)) * inverse_width;
+        const Floats v = (y + splat(0.5f)) * inverse_height;
+        const Points to_pixel = {(to_corner.x + right.x * u) + down.x * v, (to_corner.y + right.y * u) + down.y * v,
+                                 (to_corner.z + right.z * u) + down.z * v};
+        level.rays.set_dir(ray, normalized(to_pixel));
+        level.selection.add(ray, inside);
+        hn::Store(splat(__FLT_MAX__), floats, level.rays.t + ray);
+        hn::Store(hn::Set(uints, no_triangle), uints, level.rays.triangle_id + ray);
+        hn::Store(hn::Set(uints, no_triangle), uints, level.rays.left + ray);
+        hn::Store(splat(1.0f), floats, level.weight + ray);
+    }
+}
+
+/// resolve_channel() of image/resolve.hpp for every lane.
+HWY_INLINE Uints resolve_channels(Floats c) {
+    const FloatMask positive = hn::Gt(c, hn::Zero(floats));
+    const Floats clamped = hn::IfThenElseZero(positive, hn::IfThenElse(hn::Lt(c, splat(1.0f)), c, splat(1.0f)));
+    const Floats scaled_up = splat(255.0f) * clamped;
+    const Ints whole = hn::ConvertTo(ints, scaled_up);
+    const Floats rest = scaled_up - hn::ConvertTo(floats, whole);
+    const Ints round_up = hn::BitCast(ints, hn::IfThenElseZero(hn::Ge(rest, splat(0.5f)),
+                                                               hn::BitCast(floats, hn::Set(ints, 1))));
+    return hn::BitCast(uints, whole + round_up);
+}
+
+/// Copies up to four pixels of a row, of which four have the given size.
+template <size_t four> HWY_INLINE void copy_columns(void *to, const void *from, uint32_t columns) {
+    if (columns == 4) {
+        __builtin_memcpy(to, from, four);
+    } else {
+        __builtin_memcpy(to, from, four / 4 * columns);
+    }
+}
+
+/// Writes the tile's pixels.
+HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const TileColors &colors) {
+    const uint32_t width = tile.x1 - tile.x0, height = tile.y1 - tile.y0;
+    for (uint32_t ray = 0; ray < group_size; ray += lane_count) {
+        const PixelPlace first = place_of(ray);
+        if (first.x >= width || first.y >= height) continue;
+        const Points color = colors.at(ray);
+        const Uints rgba = hn::Or(hn::Or(resolve_channels(color.x), hn::ShiftLeft<8>(resolve_channels(color.y))),
+                                  hn::Or(hn::ShiftLeft<16>(resolve_channels(color.z)), hn::Set(uints, 0xff000000u)));
+        alignas(64) uint32_t bytes[lane_count];
+        alignas(64) float rgb[3 * lane_count];
+        hn::Store(rgba, uints, bytes);
+        if (frame.radiance) hn::StoreInterleaved3(color.x, color.y, color.z, floats, rgb);
+        const uint32_t columns = smaller(4u, width - first.x);
+        for (uint32_t row = 0; row < lane_count / 4 && first.y + row < height; ++row) {
+            const size_t pixel = size_t{tile.y0 + first.y + row} * frame.width_px + tile.x0 + first.x;
+            copy_columns<16>(frame.rgba8 + pixel * 4, bytes + row * 4, columns);
+            if (frame.radiance) copy_columns<48>(frame.radiance + pixel * 3, rgb + row * 12, columns);
+        }
+    }
+}
+
+/// A level waits while the rays that branched off beside it are followed: one a depth at most.
+HWY_INLINE size_t scratch_bytes(const KernelScene &scene, const KernelFrame &frame) {
+    const size_t waiting = scene.may_branch ? frame.max_depth : 0;
+    return sizeof(TileWork) + (waiting + 1) * sizeof(RayLevel);
+}
+
+HWY_INLINE void render_tile(const KernelScene &scene, const KernelFrame &frame, Tile tile, KernelScratch &scratch) {
+    TileWork &work = *reinterpret_cast<TileWork *>(scratch.memory);
+    RayLevel *const waiting = reinterpret_cast<RayLevel *>(scratch.memory + sizeof(TileWork));
+    uint32_t waiting_count = 0;
+    work.level = &work.levels[0];
+    work.next = &work.levels[1];
+    make_primary_rays(frame, tile, *work.level);
+    scratch.rays.primary += work.level->selection.count();
+    work.colors.clear();
+    while (true) {
+        trace_level(scene.geometry, *work.level);
+        RayLevel &branch = waiting[waiting_count];
+        scratch.rays.secondary += reach_surfaces(scene, frame.max_depth, work, branch);
+        for (uint32_t i = 0; i < scene.light_count; ++i) {
+            scratch.rays.shadow += add_light(scene, scene.lights[i], work);
+        }
+        add_local_colors(work);
+        if (!branch.selection.empty()) ++waiting_count;
+        if (!work.next->selection.empty()) {
+            RayLevel *const done = work.level;
+            work.level = work.next;
+            work.next = done;
+        } else if (waiting_count > 0) {
+            __builtin_memcpy(work.level, &waiting[--waiting_count], sizeof(RayLevel));
+        } else {
+            break;
+        }
+    }
+    resolve_tile(frame, tile, work.colors);
+}
+
+} // namespace glint::HWY_NAMESPACE
