@@ -15,7 +15,7 @@ public:
     /// cost is scaled by this.
     static constexpr float empty_space_factor = 0.9f;
     /// Triangles that a leaf tests as one group: a partly filled group costs as much as a full one.
-    static constexpr uint32_t leaf_group = 8;
+    static constexpr int32_t log2_leaf_group = 3, leaf_group = 1 << log2_leaf_group;
 
     /// While the whole tree stays in a cache near the core, triangle tests are what counts, and smaller leaves pay. In
     /// a large tree a step is a cache miss and each further node or reference is memory: larger leaves do.
@@ -26,26 +26,27 @@ public:
         }
     }
 
-    [[nodiscard]] float leaf(uint32_t triangle_count) const {
-        // Signed: that is what vector units convert to float.
-        const auto groups = static_cast<int32_t>((triangle_count + leaf_group - 1) / leaf_group);
-        return per_triangle_ * static_cast<float>(static_cast<int32_t>(triangle_count)) +
-               per_group_ * static_cast<float>(groups);
+    // Counts are signed and nothing branches, so that compilers can do many at a time.
+
+    [[nodiscard]] float leaf(int32_t triangle_count) const {
+        const int32_t groups = (triangle_count + (leaf_group - 1)) >> log2_leaf_group;
+        return per_triangle_ * static_cast<float>(triangle_count) + per_group_ * static_cast<float>(groups);
     }
 
     /// Of splitting a cell into two, each reached with the given probability and holding the given number of triangles.
-    [[nodiscard]] float split(float lower_probability, uint32_t lower_count, float upper_probability,
-                              uint32_t upper_count) const {
+    [[nodiscard]] float split(float lower_probability, int32_t lower_count, float upper_probability,
+                              int32_t upper_count) const {
         const float cost = traversal + (lower_probability * leaf(lower_count) + upper_probability * leaf(upper_count));
-        return cost * (lower_count == 0 || upper_count == 0 ? empty_space_factor : 1.0f);
+        const int32_t fewer = lower_count < upper_count ? lower_count : upper_count;
+        return cost * (fewer == 0 ? empty_space_factor : 1.0f);
     }
 
     /// Whether dividing so many triangles can pay. The best that can be had is one triangle left for every ray.
-    [[nodiscard]] bool may_pay(uint32_t triangle_count) const { return leaf(triangle_count) > traversal + leaf(1); }
+    [[nodiscard]] bool may_pay(int32_t triangle_count) const { return leaf(triangle_count) > traversal + leaf(1); }
 
 private:
-    float per_triangle_ = 0.2f;
-    float per_group_ = 2.0f;
+    float per_triangle_ = 0.1f;
+    float per_group_ = 1.0f;
 };
 
 } // namespace glint

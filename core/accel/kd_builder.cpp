@@ -29,7 +29,7 @@ double reference_budget(size_t triangle_count) {
 /// The whole scene, every triangle in it.
 FilledCell root_of(std::span<const TriangleCorners> triangles, unsigned threads) {
     constexpr size_t piece_size = 16384;
-    FilledCell root{};
+    FilledCell root;
     root.cell.levels_left = depth_limit(triangles.size());
     root.cell.reference_budget = reference_budget(triangles.size());
     root.references.resize(triangles.size());
@@ -42,6 +42,7 @@ FilledCell root_of(std::span<const TriangleCorners> triangles, unsigned threads)
         }
     });
     for (const Box &box : boxes) root.cell.box.extend(box);
+    root.occupied = root.cell.box;
     return root;
 }
 

@@ -44,17 +44,18 @@ SideCounts Partition::share_out(std::span<const Reference> references, const Spl
     const Sides sides(split);
     if (straddlers_.size() < references.size()) straddlers_.resize(references.size());
     SideCounts counts;
-    straddler_count_ = 0;
+    size_t straddler_count = 0; // here and not in *this: in a register
     for (const Reference &from : references) {
         const Reference reference = from;
         const bool to_lower = sides.lower(reference.bounds), to_upper = sides.upper(reference.bounds);
         lower[counts.lower] = reference;
         upper[counts.upper] = reference;
-        straddlers_[straddler_count_] = {static_cast<uint32_t>(counts.lower), static_cast<uint32_t>(counts.upper)};
-        straddler_count_ += to_lower && to_upper;
+        straddlers_[straddler_count] = {static_cast<uint32_t>(counts.lower), static_cast<uint32_t>(counts.upper)};
+        straddler_count += static_cast<size_t>(int(to_lower) & int(to_upper));
         counts.lower += to_lower;
         counts.upper += to_upper;
     }
+    straddler_count_ = straddler_count;
     return counts;
 }
 
@@ -74,9 +75,9 @@ SideCounts Partition::divide(std::span<const Reference> references, const Split 
     return counts;
 }
 
-SideCounts Partition::divide_as_counted(std::span<const Reference> references, const Split &split, Reference *lower,
-                                        Reference *upper) {
-    const SideCounts counts = share_out(references, split, lower, upper);
+void Partition::divide_as_counted(std::span<const Reference> references, const Split &split, Reference *lower,
+                                  Reference *upper) {
+    share_out(references, split, lower, upper);
     for (size_t i = 0; i < straddler_count_; ++i) {
         Box &low = lower[straddlers_[i].lower].bounds, &high = upper[straddlers_[i].upper].bounds;
         const uint32_t id = lower[straddlers_[i].lower].triangle_id;
@@ -85,7 +86,6 @@ SideCounts Partition::divide_as_counted(std::span<const Reference> references, c
         if (!below.empty()) low = below;
         if (!above.empty()) high = above;
     }
-    return counts;
 }
 
 } // namespace glint

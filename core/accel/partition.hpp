@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "accel/reference.hpp"
 #include "accel/split.hpp"
 #include "accel/uninitialized_vector.hpp"
 
@@ -26,8 +27,8 @@ public:
     SideCounts divide(std::span<const Reference> references, const Split &split, Reference *lower, Reference *upper);
 
     /// The same, but keeps empty parts, whole as far as the plane: as many arrive as count_sides() said.
-    SideCounts divide_as_counted(std::span<const Reference> references, const Split &split, Reference *lower,
-                                 Reference *upper);
+    void divide_as_counted(std::span<const Reference> references, const Split &split, Reference *lower,
+                           Reference *upper);
 
 private:
     struct Straddler {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "accel/triangle_data.hpp"
 #include "math/box.hpp"
@@ -13,6 +14,13 @@ struct Reference {
     Box bounds;
     uint32_t triangle_id;
 };
+
+/// The smallest box around all of them.
+[[nodiscard]] inline Box hull(std::span<const Reference> references) {
+    Box box;
+    for (const Reference &reference : references) box.extend(reference.bounds);
+    return box;
+}
 
 /// Bounds of a triangle's parts on either side of a plane; empty where there is no part.
 struct Parts {

@@ -3,12 +3,9 @@
 
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "accel/cell.hpp"
-#include "accel/cost_model.hpp"
-#include "accel/reference.hpp"
 #include "math/vec.hpp"
 
 namespace glint {
@@ -19,10 +16,12 @@ struct Split {
     float cost = std::numeric_limits<float>::infinity(); ///< infinite = there is no plane to split at
     float position = 0.0f;                               ///< inside the cell, or a face of it: see Slices
     int axis = 0;
-    bool planar_to_lower = true;   ///< side of triangles that lie in the plane
-    uint32_t lower = 0, upper = 0; ///< expected number of triangles on either side
+    bool planar_to_lower = true;  ///< side of triangles that lie in the plane
+    int32_t lower = 0, upper = 0; ///< expected number of triangles on either side
 
     [[nodiscard]] bool exists() const { return cost < std::numeric_limits<float>::infinity(); }
+
+    [[nodiscard]] bool cuts_off_empty_space() const { return exists() && (lower == 0 || upper == 0); }
 
     /// The two cells, given how many references they really got.
     [[nodiscard]] std::pair<Cell, Cell> cells(const Cell &cell, size_t lower_count, size_t upper_count) const;
@@ -34,26 +33,20 @@ struct Slices {
     float lo, hi;
     float cap, girth; ///< a slice has cap + girth * thickness of the cell's surface
 
-    Slices(const Box &cell, int axis);
     [[nodiscard]] bool flat() const { return !(lo < hi); }
     [[nodiscard]] float lower_share(float plane) const { return cap + (plane - lo) * girth; }
     [[nodiscard]] float upper_share(float plane) const { return cap + (hi - plane) * girth; }
 };
 
-/// The cheapest split, or none where a leaf is cheaper or the cell has come to a limit.
-[[nodiscard]] Split choose_split(std::span<const Reference> references, const Cell &cell, const CostModel &cost);
+class CellSurface {
+public:
+    explicit CellSurface(const Box &cell);
+    [[nodiscard]] Slices across(int axis) const;
 
-/// At most this many references are searched exactly.
-inline constexpr size_t exact_limit = 24;
-
-/// The best of all planes through a triangle's boundary, for up to exact_limit references.
-[[nodiscard]] Split find_exact_split(std::span<const Reference> references, const Box &cell, const CostModel &cost);
-
-/// The best of the outermost boundaries in each of evenly spaced bins, and of the cell's faces; a sample of many
-/// references stands for all.
-[[nodiscard]] Split find_binned_split(std::span<const Reference> references, const Box &cell, const CostModel &cost);
-
-/// The best plane that has all references on one side and nothing on the other.
-[[nodiscard]] Split find_empty_space(std::span<const Reference> references, const Box &cell, const CostModel &cost);
+private:
+    Box cell_;
+    glm::dvec3 extent_;
+    double inverse_area_;
+};
 
 } // namespace glint

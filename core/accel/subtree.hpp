@@ -1,10 +1,12 @@
 // Builds the part of the tree below one cell, on one thread.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "accel/kd_node.hpp"
 #include "accel/partition.hpp"
+#include "accel/split_search.hpp"
 
 namespace glint {
 
@@ -18,14 +20,23 @@ struct Subtree {
 class SubtreeBuilder {
 public:
     SubtreeBuilder(std::span<const TriangleCorners> triangles, const CostModel &cost)
-        : cost_(cost), partition_(triangles) {}
+
+        : search_(cost), partition_(triangles) {}
 
     [[nodiscard]] Subtree build(const Cell &cell, std::span<const Reference> references);
 
 private:
-    void grow(Subtree &subtree, const Cell &cell, size_t first, size_t count, size_t top);
+    /// References on the stack, and where it is free from.
+    struct Range {
+        size_t first, count, top;
+    };
 
-    CostModel cost_;
+    void grow(Subtree &subtree, const Cell &cell, Range range);
+    void grow_counted(Subtree &subtree, const Cell &cell, Range range);
+    std::pair<Range, Range> divide(Range range, const Split &split);
+    void add_leaf(Subtree &subtree, Range range) const;
+
+    SplitSearch search_;
     Partition partition_;
     UninitializedVector<Reference> stack_;
 };

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "accel/cost_model.hpp"
 #include "accel/partition.hpp"
 
 namespace glint {
@@ -17,7 +18,8 @@ struct Branch {
 /// A cell and all that lies in it.
 struct FilledCell {
     Cell cell;
-    uint32_t branch; ///< that ends here, or would
+    uint32_t branch = 0; ///< that ends here, or would
+    Box occupied;        ///< holds all references
     UninitializedVector<Reference> references;
 };
 

@@ -16,7 +16,7 @@
 namespace glint::test {
 namespace {
 
-std::vector<TriangleCorners> corners_of(const Mesh &mesh) {
+UninitializedVector<TriangleCorners> corners_of(const Mesh &mesh) {
     return TriangleData::from(*scene_of(mesh)).corners;
 }
 
@@ -40,7 +40,7 @@ void walk(const KdTree &tree, const std::function<void(const KdNode &, const Box
 
 TEST(KdTree, does_not_depend_on_the_number_of_threads) {
     // Large enough for subtrees to be tasks of their own.
-    const std::vector<TriangleCorners> triangles = corners_of(torus(200, 100));
+    const auto triangles = corners_of(torus(200, 100));
     const KdTree one = build_kd_tree(triangles, 1);
     for (const unsigned threads : {2u, 8u}) {
         const KdTree many = build_kd_tree(triangles, threads);
@@ -53,7 +53,7 @@ TEST(KdTree, does_not_depend_on_the_number_of_threads) {
 class KdTreeOfEveryMesh : public testing::TestWithParam<NamedMesh> {};
 
 TEST_P(KdTreeOfEveryMesh, lists_each_triangle_in_every_leaf_that_it_enters) {
-    const std::vector<TriangleCorners> triangles = corners_of(GetParam().mesh);
+    const auto triangles = corners_of(GetParam().mesh);
     const KdTree tree = build_kd_tree(triangles, 2);
     std::vector<bool> listed(triangles.size(), false);
     walk(tree, [&](const KdNode &node, const Box &cell, uint32_t depth) {
@@ -82,7 +82,7 @@ TEST_P(KdTreeOfEveryMesh, lists_each_triangle_in_every_leaf_that_it_enters) {
 }
 
 TEST_P(KdTreeOfEveryMesh, has_the_statistics_that_a_count_gives) {
-    const std::vector<TriangleCorners> triangles = corners_of(GetParam().mesh);
+    const auto triangles = corners_of(GetParam().mesh);
     const KdTree tree = build_kd_tree(triangles, 1);
     const AccelStatistics statistics = measure_tree(tree, static_cast<uint32_t>(triangles.size()));
     uint64_t leaves = 0, empty = 0, references = 0;
@@ -101,7 +101,8 @@ TEST_P(KdTreeOfEveryMesh, has_the_statistics_that_a_count_gives) {
     EXPECT_EQ(statistics.references, tree.reference_count());
     EXPECT_EQ(statistics.depth, deepest);
     EXPECT_GT(statistics.sah_cost, 0.0);
-    EXPECT_LE(statistics.sah_cost, CostModel(triangles.size()).leaf(triangles.size())) << "worse than no tree";
+    const auto count = static_cast<int32_t>(triangles.size());
+    EXPECT_LE(statistics.sah_cost, CostModel(triangles.size()).leaf(count)) << "worse than no tree";
 }
 
 INSTANTIATE_TEST_SUITE_P(meshes, KdTreeOfEveryMesh, testing::ValuesIn(all_meshes()),
@@ -120,29 +121,44 @@ TEST(KdTree, sets_triangles_in_a_face_of_the_scene_apart) {
         mesh.triangles.push_back({base + 2 * i, base + 2 * i + 1, base + 2 * i + 2});
         mesh.triangles.push_back({base + 2 * i + 1, base + 2 * i + 2, base + 2 * i + 3});
     }
-    const std::vector<TriangleCorners> triangles = corners_of(mesh);
+    const auto triangles = corners_of(mesh);
     walk(build_kd_tree(triangles, 1), [&](const KdNode &node, const Box &cell, uint32_t) {
         const bool flat = cell.hi.z == cell.lo.z;
         EXPECT_TRUE(!node.is_leaf() || flat || node.reference_count() < 50u) << node.reference_count();
     });
 }
 
-TEST(ClipToCell, keeps_what_is_inside) {
+TEST(Cut, bounds_what_is_on_either_side) {
     const TriangleCorners triangle = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-    const Box cell{{1, 1, -1}, {5, 5, 1}};
-    const Box part = clip_to_cell(triangle, cell);
-    EXPECT_EQ(part.lo, glm::vec3(1, 1, 0));
-    EXPECT_EQ(part.hi, glm::vec3(3, 3, 0));
-    EXPECT_TRUE(clip_to_cell(triangle, {{2.5f, 2.5f, -1}, {5, 5, 1}}).empty())
-        << "its box enters this cell, it does not";
-    const Box touching = clip_to_cell(triangle, {{2, 2, 0}, {5, 5, 1}});
-    EXPECT_FALSE(touching.empty()) << "a corner of the cell is on the long edge";
+    const auto [lower, upper] = cut(triangle, triangle.bounds(), 0, 1.0f);
+    EXPECT_EQ(lower.lo, glm::vec3(0, 0, 0));
+    EXPECT_EQ(lower.hi, glm::vec3(1, 4, 0));
+    EXPECT_EQ(upper.lo, glm::vec3(1, 0, 0));
+    EXPECT_EQ(upper.hi, glm::vec3(4, 3, 0));
 }
 
-TEST(ClipToCell, never_rounds_inwards) {
+TEST(Cut, keeps_within_earlier_cuts) {
+    const TriangleCorners triangle = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    const Box corner = cut(triangle, triangle.bounds(), 0, 1.0f).upper; // x 1..4, y 0..3
+    const auto [lower, upper] = cut(triangle, corner, 1, 2.0f);
+    EXPECT_EQ(lower.lo, glm::vec3(1, 0, 0));
+    EXPECT_EQ(lower.hi, glm::vec3(4, 2, 0));
+    EXPECT_EQ(upper.lo, glm::vec3(1, 2, 0));
+    EXPECT_EQ(upper.hi, glm::vec3(2, 3, 0));
+}
+
+TEST(Cut, knows_when_a_part_is_empty) {
+    const TriangleCorners triangle = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    const Box corner{{2.5f, 0, 0}, {4, 4, 0}}; // the triangle is below y = 1.5 here
+    EXPECT_FALSE(cut(triangle, corner, 1, 2.0f).lower.empty());
+    EXPECT_TRUE(cut(triangle, corner, 1, 2.0f).upper.empty());
+    const Box touching{{2, 0, 0}, {4, 4, 0}};
+    EXPECT_FALSE(cut(triangle, touching, 1, 2.0f).upper.empty()) << "(2, 2) is on the long edge";
+}
+
+TEST(Cut, never_rounds_inwards) {
     const TriangleCorners triangle = {{0, 0, 0}, {1, 0.1f, 0.3f}, {0.7f, 1, 0.9f}};
-    const Box cell{{0.1f, -1, -1}, {0.3f, 2, 2}};
-    const Box part = clip_to_cell(triangle, cell);
+    const Box part = cut(triangle, triangle.bounds(), 0, 0.1f).upper;
     // On the edge from a to b: y = 0.1 x exactly as these floats say.
     const double y_at_lo = double(0.1f) * double(0.1f);
     EXPECT_LE(part.lo.y, y_at_lo);
