@@ -39,6 +39,22 @@ struct Beam {
     float slack;     ///< see prepared_ray.hpp; contained in the offsets
 };
 
+/// The four directions between which all rays of a beam lie, repeated over the lanes.
+HWY_INLINE Points corner_directions(const Beam &beam) {
+    alignas(64) float rows[3][lane_count];
+    for (uint32_t lane = 0; lane < lane_count; ++lane) {
+        rows[beam.axes.u][lane] = lane % 2 == 0 ? -beam.slope[0] : beam.slope[1];
+        rows[beam.axes.v][lane] = lane / 2 % 2 == 0 ? -beam.slope[2] : beam.slope[3];
+        rows[beam.axes.z][lane] = beam.axes.sign;
+    }
+    return {hn::Load(floats, rows[0]), hn::Load(floats, rows[1]), hn::Load(floats, rows[2])};
+}
+/// The largest coordinate of one of those.
+HWY_INLINE float corner_reach(const Beam &beam) {
+    return larger(1.0f, larger(larger(magnitude(beam.slope[0]), magnitude(beam.slope[1])),
+                               larger(magnitude(beam.slope[2]), magnitude(beam.slope[3]))));
+}
+
 /// Beams steeper than this against their own axis are not worth making.
 inline constexpr float steepest_slope = 6.0f;
 

@@ -29,7 +29,11 @@ template <bool shares_origin, bool any_hit> class GroupTrace {
 public:
     /// `rays` holds what RayGroup says; of the selected rays those that are hit are deselected where any hit will do.
     HWY_INLINE GroupTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, const Beam &beam)
-        : question_(question), rays_(rays), selection_(selection), beam_(beam) {
+        : question_(question),
+          rays_(rays),
+          selection_(selection),
+          beam_(beam),
+          corners_{hn::Zero(floats), hn::Zero(floats), hn::Zero(floats)} {
         for (uint32_t &id : seen_) id = no_triangle;
         reach_ = beam.slack * 0x1p20f;
         beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
@@ -193,20 +197,27 @@ private:
             if (all_end_before(triangle, plane)) return;
         }
         COUNT(1);
-        uint32_t blocks = (1u << block_count) - 1;
-        if (++tested_ > block_beams_after) {
-            if (!has_block_beams_) make_block_beams();
-            blocks = blocks_.entered_by(beam_.axes, triangle.corners);
-        }
         if constexpr (shares_origin) {
+            if (tested_ == 0) {
+                corners_ = corner_directions(beam_);
+                corner_reach_ = corner_reach(beam_);
+            }
             TriangleFromPoint test(triangle, plane, rays_.shared_origin, beam_.dir_reach);
-            for (; blocks != 0; blocks &= blocks - 1) {
+            const BeamVerdict verdict = test.judge_beam(corners_, corner_reach_);
+            if (verdict == BeamVerdict::missed) return;
+            const auto distances = [&](uint32_t ray, uint32_t lanes) { return test.distances(rays_.dir(ray), lanes); };
+            if (verdict == BeamVerdict::covered) {
+                for (uint32_t block = 0; block < block_count; ++block) hit_block(triangle, block, distances);
+                ++tested_;
+                return;
+            }
+            for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
                 test_block(triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); },
-                           [&](uint32_t ray, uint32_t lanes) { return test.distances(rays_.dir(ray), lanes); });
+                           distances);
             }
         } else {
             const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
-            for (; blocks != 0; blocks &= blocks - 1) {
+            for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
                 test_block(triangle, lowest_bit(blocks),
                            [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
                            [&](uint32_t ray, uint32_t lanes) {
@@ -214,6 +225,12 @@ private:
                            });
             }
         }
+    }
+
+    HWY_INLINE uint32_t blocks_entered_by(const TriangleSetup &triangle) {
+        if (++tested_ <= block_beams_after) return (1u << block_count) - 1;
+        if (!has_block_beams_) make_block_beams();
+        return blocks_.entered_by(beam_.axes, triangle.corners);
     }
 
     /// Whether the triangle's plane has all rays, from origin to end, on one side for certain: then no ray can meet it
@@ -272,32 +289,51 @@ private:
             const uint32_t ray = block * block_size + part;
             COUNT(2);
             const FilterResult result = filter(ray);
-            const Uints id = hn::Set(uints, triangle.id);
-            const FloatMask left = hn::RebindMask(floats, hn::Eq(id, hn::Load(uints, rays_.left + ray)));
-            const uint32_t possible = bits_of(hn::AndNot(left, result.possible)) & lanes;
+            const uint32_t possible = bits_of(result.possible) & lanes & ~lanes_that_left(triangle, ray);
             if (possible == 0) continue;
             const uint32_t certain = bits_of(result.certain) & possible;
             COUNT(3);
             Floats t = distances(ray, certain);
             if (certain != possible) t = with_exact_distances(triangle, ray, possible & ~certain, t);
-            const Floats best = hn::Load(floats, rays_.t + ray);
-            FloatMask nearer = hn::Lt(t, best);
-            if constexpr (!any_hit) {
-                const Uints best_id = hn::Load(uints, rays_.triangle_id + ray);
-                const FloatMask lower_id = hn::RebindMask(floats, hn::Lt(id, best_id));
-                nearer = hn::Or(nearer, hn::And(hn::Eq(t, best), lower_id));
-            }
-            const FloatMask hit = hn::And(hn::And(nearer, hn::Gt(t, hn::Zero(floats))), mask_of(possible));
-            const uint32_t hit_bits = bits_of(hit);
-            if (hit_bits == 0) continue;
-            dirty_blocks_ |= 1u << block;
-            if constexpr (any_hit) {
-                selection_.remove(ray, hit_bits);
-            } else {
-                hn::Store(hn::IfThenElse(hit, t, best), floats, rays_.t + ray);
-                const Uints old = hn::Load(uints, rays_.triangle_id + ray);
-                hn::Store(hn::IfThenElse(hn::RebindMask(uints, hit), id, old), uints, rays_.triangle_id + ray);
-            }
+            take_nearer(triangle, ray, possible, t);
+        }
+    }
+
+    /// As test_block() where the filter is known to be certain.
+    template <typename Distances>
+    HWY_INLINE void hit_block(const TriangleSetup &triangle, uint32_t block, Distances &&distances) {
+        const uint32_t bits = selection_.blocks[block];
+        for (uint32_t part = 0; part < block_size; part += lane_count) {
+            const uint32_t ray = block * block_size + part;
+            const uint32_t lanes = (bits >> part) & all_lanes & ~lanes_that_left(triangle, ray);
+            if (lanes != 0) take_nearer(triangle, ray, lanes, distances(ray, lanes));
+        }
+    }
+
+    HWY_INLINE uint32_t lanes_that_left(const TriangleSetup &triangle, uint32_t ray) const {
+        const Uints id = hn::Set(uints, triangle.id);
+        return bits_of(hn::RebindMask(floats, hn::Eq(id, hn::Load(uints, rays_.left + ray))));
+    }
+
+    HWY_INLINE void take_nearer(const TriangleSetup &triangle, uint32_t ray, uint32_t lanes, Floats t) {
+        const Floats best = hn::Load(floats, rays_.t + ray);
+        const Uints id = hn::Set(uints, triangle.id);
+        FloatMask nearer = hn::Lt(t, best);
+        if constexpr (!any_hit) {
+            const Uints best_id = hn::Load(uints, rays_.triangle_id + ray);
+            const FloatMask lower_id = hn::RebindMask(floats, hn::Lt(id, best_id));
+            nearer = hn::Or(nearer, hn::And(hn::Eq(t, best), lower_id));
+        }
+        const FloatMask hit = hn::And(hn::And(nearer, hn::Gt(t, hn::Zero(floats))), mask_of(lanes));
+        const uint32_t hit_bits = bits_of(hit);
+        if (hit_bits == 0) return;
+        dirty_blocks_ |= 1u << (ray / block_size);
+        if constexpr (any_hit) {
+            selection_.remove(ray, hit_bits);
+        } else {
+            hn::Store(hn::IfThenElse(hit, t, best), floats, rays_.t + ray);
+            const Uints old = hn::Load(uints, rays_.triangle_id + ray);
+            hn::Store(hn::IfThenElse(hn::RebindMask(uints, hit), id, old), uints, rays_.triangle_id + ray);
         }
     }
 
@@ -348,6 +384,8 @@ private:
     uint32_t tested_ = 0;
     uint32_t dirty_blocks_ = 0;
     uint32_t seen_[seen_slots];
+    Points corners_;
+    float corner_reach_ = 1.0f;
     bool has_block_beams_ = false;
     bool has_ends_ = false;
     Point3 ends_lo_, ends_hi_;    ///< box around the rays' ends

@@ -86,6 +86,9 @@ HWY_INLINE FilterResult judge(Floats det, Floats u, Floats v, Floats margin) {
     return {hn::Not(hn::And(above, below)), hn::Or(hn::Gt(least, margin), hn::Lt(greatest, minus_margin))};
 }
 
+/// How a triangle lies to a whole beam.
+enum class BeamVerdict { missed, crossed, covered };
+
 /// A triangle seen from one point.
 class TriangleFromPoint {
 public:
@@ -107,7 +110,25 @@ public:
         return judge(dot(n_, dir), dot(u_, dir), dot(v_, dir), margin_);
     }
 
-    /// Distances as intersect() has them where the filter is certain; `lanes` are those that matter.
+    /// What the filter would say of every ray between some directions, one a lane: the numerators are linear in the
+    /// direction, so their signs at the corners tell. `corner_reach` is the largest coordinate of a corner.
+    [[nodiscard]] HWY_INLINE BeamVerdict judge_beam(const Points &corners, float corner_reach) const {
+        const Floats det = dot(n_, corners), u = dot(u_, corners), v = dot(v_, corners), w = (det - u) - v;
+        // Twice the margin, since the corners are rounded too.
+        const Floats margin = margin_ * splat(2.0f * corner_reach / dir_reach_) + splat(least_margin);
+        const Floats minus_margin = hn::Neg(margin);
+        const auto everywhere = [](FloatMask mask) { return bits_of(mask) == all_lanes; };
+        const bool some_positive = everywhere(hn::Gt(u, margin)) || everywhere(hn::Gt(v, margin)) ||
+                                   everywhere(hn::Gt(w, margin));
+        const bool some_negative = everywhere(hn::Lt(u, minus_margin)) || everywhere(hn::Lt(v, minus_margin)) ||
+                                   everywhere(hn::Lt(w, minus_margin));
+        if (some_positive && some_negative) return BeamVerdict::missed;
+        return everywhere(hn::Gt(min3(u, v, w), margin)) || everywhere(hn::Lt(max3(u, v, w), minus_margin))
+                   ? BeamVerdict::covered
+                   : BeamVerdict::crossed;
+    }
+
+    /// Distances as exact_distance() has them where the filter is certain; `lanes` are those that matter.
     [[nodiscard]] HWY_INLINE Floats distances(const Points &dir, uint32_t lanes) {
         if (!has_offset_) make_offset();
         const Floats det = dot(n_, dir);
