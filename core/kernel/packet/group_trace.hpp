@@ -28,7 +28,8 @@ extern "C" unsigned long long glint_counts[3][16];
 template <bool shares_origin, bool any_hit> class GroupTrace {
 public:
     /// `rays` holds what RayGroup says; of the selected rays those that are hit are deselected where any hit will do.
-    HWY_INLINE GroupTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, const Beam &beam)
+    HWY_INLINE GroupTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, const Beam &beam,
+                          const RayEnds *ends)
         : question_(question),
           rays_(rays),
           selection_(selection),
@@ -36,8 +37,11 @@ public:
           corners_{hn::Zero(floats), hn::Zero(floats), hn::Zero(floats)} {
         for (uint32_t &id : seen_) id = no_triangle;
         reach_ = beam.slack * 0x1p20f;
-        beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
         COUNT(4);
+        if (ends) {
+            ends_ = *ends;
+            has_ends_ = true;
+        }
     }
 
     /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so far
@@ -166,19 +170,36 @@ private:
         for (uint32_t first = 0; first < count; first += lane_count) {
             const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
             COUNT(7);
-            uint32_t entered = triangles_in_beam(beam_, BeamCorners(beam_.axes, words, count, first)) & valid;
+            const BeamCorners corners(beam_.axes, words, count, first);
+            uint32_t entered = triangles_in_beam(beam_, corners) & valid;
+            if (entered == 0) continue;
             steps_ += 2 * static_cast<uint32_t>(__builtin_popcount(entered));
-            for (; entered != 0; entered &= entered - 1) test(words, count, first + lowest_bit(entered));
+            if (any_hit || (entered & (entered - 1)) == 0) {
+                for (; entered != 0; entered &= entered - 1) test(words, count, first + lowest_bit(entered));
+            } else {
+                test_by_depth(words, count, first, entered, min3(corners.z[0], corners.z[1], corners.z[2]));
+            }
         }
         if (dirty_blocks_ == 0) return false;
         if (any_hit && selection_.empty()) return true;
-        if (has_block_beams_) {
-            for (uint32_t blocks = dirty_blocks_; blocks != 0; blocks &= blocks - 1) update_end(lowest_bit(blocks));
-            beam_.z_end = largest_end();
-        } else {
-            beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
-        }
+        update_group_end();
         return false;
+    }
+
+    /// Nearest first, as long as they are not beyond what all rays hit.
+    HWY_INLINE void test_by_depth(const uint32_t *words, uint32_t count, uint32_t first, uint32_t entered,
+                                  Floats depths) {
+        alignas(64) float depth[lane_count];
+        hn::Store(depths, floats, depth);
+        while (entered != 0) {
+            uint32_t nearest = lowest_bit(entered);
+            for (uint32_t rest = entered & (entered - 1); rest != 0; rest &= rest - 1) {
+                if (depth[lowest_bit(rest)] < depth[nearest]) nearest = lowest_bit(rest);
+            }
+            if (depth[nearest] > beam_.z_end) return;
+            entered &= ~(1u << nearest);
+            test(words, count, first + nearest);
+        }
     }
 
     HWY_INLINE void test(const uint32_t *words, uint32_t count, uint32_t i) {
@@ -209,6 +230,7 @@ private:
             if (verdict == BeamVerdict::covered) {
                 for (uint32_t block = 0; block < block_count; ++block) hit_block(triangle, block, distances);
                 ++tested_;
+                if (!any_hit) update_group_end();
                 return;
             }
             for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
@@ -236,7 +258,10 @@ private:
     /// Whether the triangle's plane has all rays, from origin to end, on one side for certain: then no ray can meet it
     /// before its end. True of the surfaces that shadow rays end on, and of all walls of a convex room.
     HWY_INLINE bool all_end_before(const TriangleSetup &triangle, const ExactPlane &plane) {
-        if (!has_ends_) find_ends();
+        if (!has_ends_) {
+            ends_ = find_ends(rays_, selection_);
+            has_ends_ = true;
+        }
         const Point3 n = plane.n.rounded();
         const double at_origin = -plane.offset(triangle, rays_.shared_origin);
         const double side = at_origin < 0.0 ? -1.0 : 1.0;
@@ -244,40 +269,14 @@ private:
             const double a = side * m * lo, b = side * m * hi;
             return a < b ? a : b;
         };
-        const double at_ends = least(plane.n.x, ends_lo_.x - triangle.corners[0], ends_hi_.x - triangle.corners[0]) +
-                               least(plane.n.y, ends_lo_.y - triangle.corners[1], ends_hi_.y - triangle.corners[1]) +
-                               least(plane.n.z, ends_lo_.z - triangle.corners[2], ends_hi_.z - triangle.corners[2]);
+        const double at_ends = least(plane.n.x, ends_.lo.x - triangle.corners[0], ends_.hi.x - triangle.corners[0]) +
+                               least(plane.n.y, ends_.lo.y - triangle.corners[1], ends_.hi.y - triangle.corners[1]) +
+                               least(plane.n.z, ends_.lo.z - triangle.corners[2], ends_.hi.z - triangle.corners[2]);
         // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max and
         // the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
-        const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_way_ + ends_reach_) +
+        const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_.way + ends_.reach) +
                               double(0x1p-46f * triangle.edge_reach) * triangle.edge_reach * reach_;
         return at_origin * side > margin && at_ends > margin;
-    }
-
-    HWY_NOINLINE void find_ends() {
-        const Floats infinity = splat(__builtin_inff());
-        Points lo = {infinity, infinity, infinity}, hi = {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)};
-        const Points org = splat(rays_.shared_origin);
-        Floats way = hn::Zero(floats);
-        for_each_vector(selection_, [&](uint32_t ray, uint32_t lane_bits) {
-            const FloatMask lanes = mask_of(lane_bits);
-            const Points dir = rays_.dir(ray);
-            const Floats t = hn::Load(floats, rays_.t + ray) * splat(1.0f + 0x1p-22f);
-            const auto extend = [&](Floats &low, Floats &high, Floats o, Floats d) {
-                const Floats way_along = d * t, end = o + way_along;
-                way = hn::Max(way, hn::IfThenElseZero(lanes, hn::Abs(way_along)));
-                low = hn::Min(low, hn::IfThenElse(lanes, end, infinity));
-                high = hn::Max(high, hn::IfThenElse(lanes, end, hn::Neg(infinity)));
-            };
-            extend(lo.x, hi.x, org.x, dir.x);
-            extend(lo.y, hi.y, org.y, dir.y);
-            extend(lo.z, hi.z, org.z, dir.z);
-        });
-        ends_lo_ = {least_lane(lo.x), least_lane(lo.y), least_lane(lo.z)};
-        ends_hi_ = {greatest_lane(hi.x), greatest_lane(hi.y), greatest_lane(hi.z)};
-        ends_way_ = greatest_lane(way);
-        ends_reach_ = larger(max_abs(ends_lo_), max_abs(ends_hi_));
-        has_ends_ = true;
     }
 
     template <typename Filter, typename Distances>
@@ -356,6 +355,16 @@ private:
         return hn::Load(floats, distances);
     }
 
+    HWY_INLINE void update_group_end() {
+        if (has_block_beams_) {
+            for (; dirty_blocks_ != 0; dirty_blocks_ &= dirty_blocks_ - 1) update_end(lowest_bit(dirty_blocks_));
+            beam_.z_end = largest_end();
+        } else {
+            beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
+            dirty_blocks_ = 0;
+        }
+    }
+
     HWY_NOINLINE void make_block_beams() {
         make_block_sides<shares_origin>(rays_, selection_, beam_, blocks_);
         for (uint32_t block = 0; block < block_count; ++block) update_end(block);
@@ -388,8 +397,7 @@ private:
     float corner_reach_ = 1.0f;
     bool has_block_beams_ = false;
     bool has_ends_ = false;
-    Point3 ends_lo_, ends_hi_;    ///< box around the rays' ends
-    float ends_way_, ends_reach_; ///< largest coordinate of a ray from origin to end; of an end
+    RayEnds ends_{};
     BlockBeams blocks_;
 };
 

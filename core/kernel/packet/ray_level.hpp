@@ -22,7 +22,8 @@ inline constexpr int most_surfaces_apart = 6;
 HWY_INLINE void trace_level(const GeometryView &geometry, RayLevel &level, BeamHistories &beams) {
     const TraceQuestion question{geometry};
     if (level.depth == 0) {
-        trace<true, false>(question, level.rays, level.selection, beams.primary);
+        trace<true, false>(question, level.rays, level.selection, beams.primary,
+                           level.selection.count() == group_size ? RayKind::full_tile : RayKind::any);
         return;
     }
     RaySelection waiting = level.selection;
