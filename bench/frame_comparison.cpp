@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include <glint/renderer.hpp>
+
 #include "bench/interleaved.hpp"
 #include "bench/own_processor.hpp"
 
@@ -12,8 +14,7 @@ namespace {
 /// Glint's frames and the peer's of one cell.
 class Contest {
 public:
-    Contest(glint::Renderer &renderer, PeerRenderer &peer, RenderControl &control)
-        : renderer_(renderer), peer_(peer), control_(control) {}
+    Contest(Renderer &renderer, PeerRenderer &peer) : renderer_(renderer), peer_(peer) {}
 
     Result<FrameCell> measure(uint32_t size_px, uint32_t depth, double min_seconds) {
         Result<Framebuffer> ours = Framebuffer::create(size_px, size_px, /*with_radiance=*/false);
@@ -22,9 +23,8 @@ public:
         if (!theirs) return theirs.error();
 
         std::optional<Error> failure;
-        const auto nothing = [] {};
         const auto render_ours = [&] {
-            auto rendered = renderer_.render(*ours, {.max_depth = depth, .camera = {}}, &control_);
+            const auto rendered = renderer_.render(*ours, {.max_depth = depth, .camera = {}});
             if (!rendered) failure = rendered.error();
         };
         const auto render_theirs = [&] { peer_.render(*theirs, depth); };
@@ -37,9 +37,10 @@ public:
         render_theirs();
         cell.difference = compare_pictures(*ours, *theirs);
 
-        take_turns(Thing{nothing, render_ours}, Thing{nothing, render_theirs}, 0.1 * min_seconds, failure);
-        const Turns turns =
-            take_turns(Thing{nothing, render_ours}, Thing{nothing, render_theirs}, min_seconds, failure);
+        const Frames our_frames(render_ours);
+        const Frames their_frames(render_theirs);
+        take_turns(our_frames, their_frames, 0.1 * min_seconds, failure); // warms caches and wakes threads
+        const Turns turns = take_turns(our_frames, their_frames, min_seconds, failure);
         if (failure) return *failure;
         cell.frames = turns.glint_ms.size();
         cell.glint_ms = summarize(turns.glint_ms);
@@ -48,14 +49,18 @@ public:
     }
 
 private:
-    template <typename Prepare, typename Run> struct Thing {
-        Prepare prepare;
-        Run run;
+    template <typename Render> class Frames {
+    public:
+        explicit Frames(const Render &render) : render_(render) {}
+        void prepare() const {}
+        void run() const { render_(); }
+
+    private:
+        const Render &render_;
     };
 
-    template <typename Glint, typename Theirs>
-    static Turns take_turns(const Glint &glint, const Theirs &theirs, double min_seconds,
-                            const std::optional<Error> &failure) {
+    template <typename Glint, typename Theirs> static Turns
+    take_turns(const Glint &glint, const Theirs &theirs, double min_seconds, const std::optional<Error> &failure) {
         constexpr size_t min_frames = 20;
         Turns turns;
         double spent_ms = 0.0;
@@ -65,28 +70,26 @@ private:
         return turns;
     }
 
-    glint::Renderer &renderer_;
+    Renderer &renderer_;
     PeerRenderer &peer_;
-    RenderControl &control_;
 };
 
 } // namespace
 
 Result<FrameComparison> compare_frames(const std::shared_ptr<const Accel> &accel, const Peer &peer,
-                                       const FrameComparisonOptions &options, RenderControl &control) {
+                                       const FrameComparisonOptions &options) {
     FrameComparison comparison;
     const std::shared_ptr<const Scene> scene(accel, &accel->scene());
     for (const unsigned threads : options.threads) {
         const OwnProcessor processor;
-        const auto ours = processor.start_others([&] {
-            return std::make_unique<Renderer>(accel, RendererOptions{.threads = threads, .isa = options.isa});
-        });
+        const auto ours = processor.start_others(
+            [&] { return std::make_unique<Renderer>(accel, RendererOptions{.threads = threads, .isa = options.isa}); });
         const auto theirs = processor.start_others([&] { return peer.renderer(scene, options.isa, threads); });
         if (!theirs) return theirs.error();
         comparison.isa = isa_name(ours->isa());
         comparison.peer_kernel = (*theirs)->kernel();
 
-        Contest contest(*ours, **theirs, control);
+        Contest contest(*ours, **theirs);
         for (const uint32_t size_px : options.sizes_px) {
             for (const uint32_t depth : options.depths) {
                 if (options.on_cell) options.on_cell(size_px, depth, threads);

@@ -9,7 +9,6 @@
 
 #include <glint/accel.hpp>
 #include <glint/isa.hpp>
-#include <glint/renderer.hpp>
 #include <glint/result.hpp>
 
 #include "bench/peers/peer.hpp"
@@ -44,15 +43,14 @@ struct FrameCell {
 };
 
 struct FrameComparison {
-    std::string isa;      ///< that Glint ran with
+    std::string isa;         ///< that Glint ran with
     std::string peer_kernel; ///< how the peer traced, in its own words
     std::vector<FrameCell> cells;
 };
 
-/// Measures every cell: one frame of Glint's, one of the peer's, and so on; the calling thread on a processor of its own.
-/// Pictures are compared before a cell is timed. Fails as the peer and the renderer do; with cancelled when `control`
-/// says so.
+/// Measures every cell: one frame of Glint's, one of the peer's, and so on; the calling thread on a processor of its
+/// own. Pictures are compared before a cell is timed. Fails as the peer and the renderer do.
 [[nodiscard]] Result<FrameComparison> compare_frames(const std::shared_ptr<const Accel> &accel, const Peer &peer,
-                                                     const FrameComparisonOptions &options, RenderControl &control);
+                                                     const FrameComparisonOptions &options);
 
 } // namespace glint::bench

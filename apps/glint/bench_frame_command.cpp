@@ -14,7 +14,6 @@
 #include "command.hpp"
 #include "console.hpp"
 #include "failure.hpp"
-#include "interrupt.hpp"
 #include "isa_option.hpp"
 #include "named_scene.hpp"
 #include "number_options.hpp"
@@ -45,8 +44,8 @@ struct BenchFrameOptions {
 ExitCode verdict(const bench::FrameComparison &comparison) {
     for (const bench::FrameCell &cell : comparison.cells) {
         if (cell.difference.same_picture()) continue;
-        complain(fmt::format("{}x{}, depth {}: the peer's picture is another one; its time says nothing",
-                             cell.width_px, cell.height_px, cell.depth));
+        complain(fmt::format("{}x{}, depth {}: the peer's picture is another one; its time says nothing", cell.width_px,
+                             cell.height_px, cell.depth));
         return ExitCode::failure;
     }
     return ExitCode::ok;
@@ -67,11 +66,9 @@ ExitCode run(BenchFrameOptions &options) {
         };
     }
 
-    RenderControl control;
-    const InterruptGuard guard(control);
-    auto comparison = bench::compare_frames(Accel::build(file->scene), **peer, options.comparison, control);
+    auto comparison = bench::compare_frames(Accel::build(file->scene), **peer, options.comparison);
     if (!comparison) return fail(comparison.error());
-    const bench::FrameReport report{bench::describe_machine(), (*peer)->name(), path->filename().string(),
+    const bench::FrameReport report{bench::describe_machine(), (*peer)->name(), scene_name(options.scene.file),
                                     std::move(*comparison)};
     print(bench::to_text(report));
     if (!options.json_file.empty()) {
@@ -96,7 +93,8 @@ Command add_bench_frame_command(CLI::App &bench) {
     add_numbers(*frame, "--depths", comparison.depths, depth_bounds, "Recursive rays (default 1,2)");
     add_numbers(*frame, "--threads", comparison.threads, thread_bounds, "Numbers of threads (default 1,2)");
     add_isa(*frame, comparison.isa);
-    add_seconds(*frame, comparison.min_seconds, "Time each cell at least this long (default 2), and at least 20 frames");
+    add_seconds(*frame, comparison.min_seconds,
+                "Time each cell at least this long (default 2), and at least 20 frames");
     frame->add_option("--json", options->json_file, "Write the figures as JSON")->type_name("FILE");
     add_scene_options(*frame, options->scene);
     frame->footer(examples);

@@ -72,7 +72,7 @@ Result<Subject> read_scene_subject(const BenchKernelsOptions &options) {
     builder.set_camera(file->scene->camera());
     auto scene = builder.build();
     if (!scene) return scene.error();
-    return Subject{options.scene.file, *scene, bench::viewpoint_of(*file->scene)};
+    return Subject{scene_name(options.scene.file), *scene, bench::viewpoint_of(*file->scene)};
 }
 
 Result<bench::KernelReport> measure(const Subject &subject, const bench::Peer &peer,
@@ -99,7 +99,8 @@ Result<bench::KernelReport> measure(const Subject &subject, const bench::Peer &p
 ExitCode run(BenchKernelsOptions &options) {
     const auto peer = bench::find_peer(options.peer);
     if (!peer) return fail(peer.error());
-    const Result<Subject> subject = options.mesh_file.empty() ? read_scene_subject(options) : read_mesh_subject(options);
+    const Result<Subject> subject =
+        options.mesh_file.empty() ? read_scene_subject(options) : read_mesh_subject(options);
     if (!subject) return fail_reading(subject.error());
     if (options.size) options.comparison.size_px = *options.size;
     if (someone_watches()) {
@@ -128,7 +129,9 @@ Command add_bench_kernels_command(CLI::App &bench) {
     auto options = std::make_shared<BenchKernelsOptions>();
     CLI::App *kernels = bench.add_subcommand("kernels", "Rays a second and building, beside another ray tracer");
     CLI::Option *scene =
-        kernels->add_option("--scene", options->scene.file, "A scene file, or the name of one of Glint's scenes")
+        kernels
+            ->add_option("--scene", options->scene.file,
+                         "A scene file, or the name of one of Glint's scenes (default: cornell, the paper's)")
             ->type_name("NAME|FILE");
     kernels->add_option("--mesh", options->mesh_file, "An OBJ file instead of a scene")
         ->type_name("FILE")

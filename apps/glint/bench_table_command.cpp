@@ -35,7 +35,7 @@ fails the run. The paper's figures are shown beside those of its own scene, corn
 Examples:
   glint bench table
   glint bench table --sizes 512 --depths 0,1,2 --seconds 5 --json table.json
-  glint bench table --scene hall.sdl --surface none --threads 1)";
+  glint bench table --scene mirrors --surface none --threads 1)";
 
 struct BenchTableOptions {
     SceneOptions scene;
@@ -58,18 +58,15 @@ ExitCode write_reports(const BenchTableOptions &options, const bench::Table &tab
 }
 
 ExitCode run(BenchTableOptions &options) {
-    if (options.scene.file.empty()) {
-        const Result<std::filesystem::path> scene = find_scene({});
-        if (!scene) return fail(scene.error());
-        options.scene.file = scene->string();
-    }
+    const Result<std::filesystem::path> path = find_scene(options.scene.file);
+    if (!path) return fail_reading(path.error());
     options.table.threads = options.threads.value_or(0);
     if (someone_watches()) {
         options.table.on_row = [](uint32_t size_px, uint32_t depth) {
             complain(fmt::format("measuring {0}x{0}, depth {1}", size_px, depth));
         };
     }
-    const Result<SceneFile> file = read_scene(options.scene.file, options.scene.read_options());
+    const Result<SceneFile> file = read_scene(*path, options.scene.read_options());
     if (!file) return fail_reading(file.error());
     complain_about(*file);
 
@@ -82,7 +79,7 @@ ExitCode run(BenchTableOptions &options) {
     RenderControl control;
     const InterruptGuard guard(control);
     const Result<bench::Table> table =
-        bench::measure_table(accel, options.scene.file, opened->surface.get(), options.table, &control);
+        bench::measure_table(accel, scene_name(options.scene.file), opened->surface.get(), options.table, &control);
     if (!table) return fail(table.error());
     print(bench::to_text(*table));
     return write_reports(options, *table);
@@ -93,8 +90,10 @@ ExitCode run(BenchTableOptions &options) {
 Command add_bench_table_command(CLI::App &bench) {
     auto options = std::make_shared<BenchTableOptions>();
     CLI::App *table = bench.add_subcommand("table", "The timing table of the 2013 paper, by resolution and depth");
-    table->add_option("--scene", options->scene.file, "The scene file (default: the paper's cornell.sdl)")
-        ->type_name("FILE");
+    table
+        ->add_option("--scene", options->scene.file,
+                     "A scene file, or the name of one of Glint's scenes (default: cornell, the paper's)")
+        ->type_name("NAME|FILE");
     add_numbers(*table, "--sizes", options->table.sizes_px, {1, 16384}, "Picture sizes (default 128,256,512)");
     add_numbers(*table, "--depths", options->table.depths, depth_bounds, "Recursive rays (default 1,2)");
     add_number(*table, "--threads", options->threads, thread_bounds, "Threads (default: one a processor)");
@@ -103,7 +102,8 @@ Command add_bench_table_command(CLI::App &bench) {
         {{"egl", bench::SurfaceKind::egl}, {"osmesa", bench::SurfaceKind::osmesa}, {"none", bench::SurfaceKind::none}},
         "What pictures are shown on: egl (default; falls back to osmesa, then none), osmesa, or none");
     add_isa(*table, options->table.isa);
-    add_seconds(*table, options->table.min_seconds, "Time each row at least this long (default 1), and at least 50 frames");
+    add_seconds(*table, options->table.min_seconds,
+                "Time each row at least this long (default 1), and at least 50 frames");
     table->add_option("--json", options->json_file, "Write the table as JSON")->type_name("FILE");
     table->add_option("--csv", options->csv_file, "Write the table as CSV")->type_name("FILE");
     table->add_option("--md", options->markdown_file, "Write the table as Markdown")->type_name("FILE");

@@ -21,8 +21,8 @@ public:
     /// a large tree a step is a cache miss and each further node or reference is memory: larger leaves do.
     explicit CostModel(uint64_t triangle_count) {
         if (triangle_count <= 10'000) {
-            per_triangle_ = 1.5f;
-            per_group_ = 2.0f;
+            per_triangle_ = 0.1f;
+            per_group_ = 6.0f;
         }
     }
 

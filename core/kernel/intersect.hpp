@@ -41,7 +41,7 @@ template <typename T> struct ShearedTriangle {
     }
 
     /// In double, and everything dir[kz] times as large: multiplying is exact enough and cheaper than dividing.
-    ShearedTriangle(const TriangleCorners &triangle, const PreparedRay &ray)
+    ShearedTriangle(const TriangleCorners &triangle, const PermutedRay &ray)
         requires std::is_same_v<T, double>
     {
         relate(triangle, ray);
@@ -61,7 +61,7 @@ template <typename T> struct ShearedTriangle {
     }
 
 private:
-    void relate(const TriangleCorners &triangle, const PreparedRay &ray) {
+    void relate(const TriangleCorners &triangle, const PermutedRay &ray) {
         const float *a = &triangle.a.x, *b = &triangle.b.x, *c = &triangle.c.x;
         const T ox = ray.permuted_org.x, oy = ray.permuted_org.y, oz = ray.permuted_org.z;
         ax = T(a[ray.kx]) - ox;
@@ -96,6 +96,38 @@ inline double edge_on_depth(const ShearedTriangle<double> &s) {
 
 } // namespace detail
 
+/// What a hit is, decided in double: distance t at which the ray meets the closed triangle, NaN where it does not.
+/// `inside` says that it is known to be no miss.
+inline float exact_distance(const PermutedRay &ray, const TriangleCorners &triangle, bool inside = false) {
+    const glm::dvec3 to_a = glm::dvec3(triangle.a) - glm::dvec3(ray.org);
+    const glm::dvec3 e1 = glm::dvec3(triangle.b) - glm::dvec3(triangle.a);
+    const glm::dvec3 e2 = glm::dvec3(triangle.c) - glm::dvec3(triangle.a);
+    const glm::dvec3 exact_n = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x};
+    const double exact_offset = (exact_n.x * to_a.x + exact_n.y * to_a.y) + exact_n.z * to_a.z;
+
+    const glm::vec3 n(exact_n);
+    const float det = (n.x * ray.dir.x + n.y * ray.dir.y) + n.z * ray.dir.z;
+    const float largest_dir = std::abs(ray.permuted_dir.z);
+    const bool grazing = std::abs(det) < least_slope * ((std::abs(n.x) + std::abs(n.y)) + std::abs(n.z)) * largest_dir;
+    if (inside && !grazing) return static_cast<float>(exact_offset) / det;
+
+    const double exact_det = (exact_n.x * double(ray.dir.x) + exact_n.y * double(ray.dir.y)) + exact_n.z * double(ray.dir.z);
+    const double reach = std::max(max_abs(e1), max_abs(e2));
+    // The normal is good to 2^-52 reach^2 in each component, which moves the point by 2^-50 reach^2 M |dir| / det along
+    // the ray: keep that far below slack, which is 2^-20 M.
+    const bool edge_on = std::abs(exact_det) < least_det * (reach * reach) * largest_dir;
+    if (!inside || edge_on) {
+        const detail::ShearedTriangle<double> s(triangle, ray);
+        const double u = s.cx * s.by - s.cy * s.bx;
+        const double v = s.ax * s.cy - s.ay * s.cx;
+        const double w = s.bx * s.ay - s.by * s.ax;
+        if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return NAN;
+        if (u == 0.0 && v == 0.0 && w == 0.0) return NAN;
+        if (edge_on) return static_cast<float>(detail::edge_on_depth(s) / ray.permuted_dir.z);
+    }
+    return grazing ? static_cast<float>(exact_offset / exact_det) : static_cast<float>(exact_offset) / det;
+}
+
 /// Distance t at which the ray meets the closed triangle, NaN where it does not. t may be negative.
 ///
 /// The test of Woop, Benthin & Wald 2013 ("Watertight Ray/Triangle Intersection", JCGT 2-1) in three steps:
@@ -110,50 +142,19 @@ inline double edge_on_depth(const ShearedTriangle<double> &s) {
 /// edge, so no ray slips between the two; and the distance is good to distance_error of itself at any angle, or 2^-24
 /// of the way to the farthest corner if that is more.
 ///
-/// What counts is the outcome of steps 2 and 3. Step 1 never changes it, so a packet kernel may use any filter of its
-/// own in its place and asks here where that filter cannot tell.
+/// What counts is the outcome of steps 2 and 3, exact_distance(). Step 1 never changes it, so a packet kernel may use
+/// any filter of its own in its place.
 inline float intersect(const PreparedRay &ray, const TriangleCorners &triangle) {
-    using detail::ShearedTriangle;
-    bool certain;
-    {
-        const ShearedTriangle<float> s(triangle, ray);
-        const float u = s.cx * s.by - s.cy * s.bx;
-        const float v = s.ax * s.cy - s.ay * s.cx;
-        const float w = s.bx * s.ay - s.by * s.ax;
-        const float least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
-        // Each coordinate is off by at most 6 eps M, hence an edge function by (24 + 16) eps M * reach + 72 (eps M)^2;
-        // slack is 16 eps M.
-        const float margin = 3.0f * ray.slack * (s.reach() + ray.slack);
-        if (least < -margin && most > margin) return NAN;
-        certain = least > margin || most < -margin;
-    }
-    const glm::dvec3 to_a = glm::dvec3(triangle.a) - glm::dvec3(ray.org);
-    const glm::dvec3 e1 = glm::dvec3(triangle.b) - glm::dvec3(triangle.a);
-    const glm::dvec3 e2 = glm::dvec3(triangle.c) - glm::dvec3(triangle.a);
-    const glm::dvec3 exact_n = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x};
-    const double exact_offset = (exact_n.x * to_a.x + exact_n.y * to_a.y) + exact_n.z * to_a.z;
-
-    const glm::vec3 n(exact_n);
-    const float det = (n.x * ray.dir.x + n.y * ray.dir.y) + n.z * ray.dir.z;
-    const float largest_dir = std::abs(ray.permuted_dir.z);
-    const bool grazing = std::abs(det) < least_slope * ((std::abs(n.x) + std::abs(n.y)) + std::abs(n.z)) * largest_dir;
-    if (certain && !grazing) return static_cast<float>(exact_offset) / det;
-
-    const double exact_det = (exact_n.x * double(ray.dir.x) + exact_n.y * double(ray.dir.y)) + exact_n.z * double(ray.dir.z);
-    const double reach = std::max(max_abs(e1), max_abs(e2));
-    // The normal is good to 2^-52 reach^2 in each component, which moves the point by 2^-50 reach^2 M |dir| / det along
-    // the ray: keep that far below slack, which is 2^-20 M.
-    const bool edge_on = std::abs(exact_det) < least_det * (reach * reach) * largest_dir;
-    if (!certain || edge_on) {
-        const ShearedTriangle<double> s(triangle, ray);
-        const double u = s.cx * s.by - s.cy * s.bx;
-        const double v = s.ax * s.cy - s.ay * s.cx;
-        const double w = s.bx * s.ay - s.by * s.ax;
-        if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return NAN;
-        if (u == 0.0 && v == 0.0 && w == 0.0) return NAN;
-        if (edge_on) return static_cast<float>(detail::edge_on_depth(s) / ray.permuted_dir.z);
-    }
-    return grazing ? static_cast<float>(exact_offset / exact_det) : static_cast<float>(exact_offset) / det;
+    const detail::ShearedTriangle<float> s(triangle, ray);
+    const float u = s.cx * s.by - s.cy * s.bx;
+    const float v = s.ax * s.cy - s.ay * s.cx;
+    const float w = s.bx * s.ay - s.by * s.ax;
+    const float least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
+    // Each coordinate is off by at most 6 eps M, hence an edge function by (24 + 16) eps M * reach + 72 (eps M)^2; slack
+    // is 16 eps M.
+    const float margin = 3.0f * ray.slack * (s.reach() + ray.slack);
+    if (least < -margin && most > margin) return NAN;
+    return exact_distance(ray, triangle, least > margin || most < -margin);
 }
 
 } // namespace glint

@@ -70,11 +70,21 @@ struct PendingRay {
     uint32_t left_triangle; ///< that it leaves from; no_triangle for a primary ray
 };
 
+/// How beams of rays fared lately, by their size, so that scenes that are too fine for beams do not pay for trying. Decides
+/// how rays are traced, never what they hit.
+struct BeamHistory {
+    uint8_t failures[3], skipped[3];
+};
+struct BeamHistories {
+    BeamHistory primary, shadow, secondary;
+};
+
 /// Memory that a worker reuses from tile to tile.
 struct KernelScratch {
     std::vector<PendingRay> pending;
     std::byte *memory = nullptr; ///< Kernel::scratch_bytes() of it, aligned to scratch_alignment
     RayCounts rays;
+    BeamHistories beams{};
 };
 
 inline constexpr size_t scratch_alignment = 64;

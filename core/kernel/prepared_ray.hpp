@@ -21,28 +21,32 @@ struct Ray {
 /// within slack of it.
 inline constexpr float slack_of_extent = 0x1p-20f;
 
-struct PreparedRay {
+/// A ray with its axes permuted so that z is its major one (Woop, Benthin & Wald 2013).
+struct PermutedRay {
     glm::vec3 org;
     glm::vec3 dir;
-
-    // For walking the tree.
-    glm::vec3 inverse_dir;     ///< finite: components too small to matter are made tiny instead of zero
-    glm::vec3 parameter_slack; ///< slack as a difference of t, along each axis
-    float slack;               ///< as a length in space
-
-    // For intersecting triangles (Woop, Benthin & Wald 2013): the axes permuted so that z is the ray's major one, and
-    // the shear that turns the ray onto it.
     int kx, ky, kz;
     glm::vec3 permuted_org, permuted_dir;
-    float shear_x, shear_y;
 
-    PreparedRay(const Ray &ray, const Box &scene_bounds) : org(ray.org), dir(ray.dir) {
+    explicit PermutedRay(const Ray &ray) : org(ray.org), dir(ray.dir) {
         const float x = std::abs(dir.x), y = std::abs(dir.y), z = std::abs(dir.z);
         kz = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
         kx = kz == 2 ? 0 : kz + 1;
         ky = kx == 2 ? 0 : kx + 1;
         permuted_org = {component(org, kx), component(org, ky), component(org, kz)};
         permuted_dir = {component(dir, kx), component(dir, ky), component(dir, kz)};
+    }
+};
+
+struct PreparedRay : PermutedRay {
+    // For walking the tree.
+    glm::vec3 inverse_dir;     ///< finite: components too small to matter are made tiny instead of zero
+    glm::vec3 parameter_slack; ///< slack as a difference of t, along each axis
+    float slack;               ///< as a length in space
+
+    float shear_x, shear_y; ///< the shear that turns the ray onto its major axis
+
+    PreparedRay(const Ray &ray, const Box &scene_bounds) : PermutedRay(ray) {
         shear_x = permuted_dir.x / permuted_dir.z;
         shear_y = permuted_dir.y / permuted_dir.z;
 

@@ -1,6 +1,7 @@
 """Runs the glint program on small scenes in a folder of the test's own.
 
-The environment variable GLINT names the program; GLINT_WRITES_IMAGES=0 says that it was built without OpenImageIO.
+The environment variable GLINT names the program; GLINT_WRITES_IMAGES=0 says that it was built without OpenImageIO,
+GLINT_HAS_EMBREE=0 without Embree.
 """
 
 import os
@@ -13,6 +14,7 @@ from pathlib import Path
 
 GLINT = os.environ["GLINT"]
 WRITES_IMAGES = os.environ.get("GLINT_WRITES_IMAGES", "1") != "0"
+HAS_EMBREE = os.environ.get("GLINT_HAS_EMBREE", "1") != "0"
 needs_images = unittest.skipUnless(WRITES_IMAGES, "built without OpenImageIO")
 
 # Generous: the same tests run under sanitizers and on busy machines.

@@ -25,7 +25,10 @@ USES = {
     "platform/gles": (),
     "platform/egl": ("platform/gles",),
     "platform/osmesa": ("platform/gles",),
-    "bench": (),
+    # Peers wait for work in the same pool of threads as Glint does, so that waking up costs all the same.
+    "bench/peers": (),
+    "bench/peers/embree": ("bench/peers", "core/render"),
+    "bench": ("bench/peers", "bench/peers/embree", "core/render"),
     "apps/glint": ("bench",),
     "scenes/generate": (),
 }
@@ -45,6 +48,8 @@ LIBRARIES = {
     "CLI/": ("apps",),
     "fmt/": ("apps", "bench"),
     "nlohmann/": ("apps", "bench"),
+    "embree3/": ("bench/peers/embree",),
+    "immintrin.h": ("bench/peers/embree",),
 }
 
 POSIX = {"dlfcn.h", "fcntl.h", "sched.h", "sys/stat.h", "sys/utsname.h", "unistd.h"}
@@ -73,13 +78,19 @@ def sources(root):
     return sorted(path.relative_to(root).as_posix() for path in files)
 
 
+def room_of(path):
+    """The innermost room that the file lies in; the folder that would have to be one where there is none."""
+    rooms = [room for room in USES if is_inside(path, room)]
+    return max(rooms, key=len) if rooms else "/".join(path.split("/")[:2])
+
+
 class Source:
     """One file, where it stands and what it may include."""
 
     def __init__(self, root, path):
         self.root = root
         self.path = path
-        self.room = "/".join(path.split("/")[: 1 if path.startswith("bench/") else 2])
+        self.room = room_of(path)
         self.is_public = "/include/glint/" in path
 
     def complaint(self, quoted, name):
@@ -120,7 +131,7 @@ class Source:
         """Public headers of the core are for all, those of a platform for whoever may use that platform."""
         for platform in (self.root / "platform").glob("*/include"):
             if (platform / name).is_file():
-                if self.room in ("bench", "apps/glint"):
+                if is_inside(self.room, "bench") or self.room == "apps/glint":
                     return None
                 return self.about_room(f"platform/{platform.parent.name}")
         return None if (self.root / "core/include" / name).is_file() else "there is no such public header"

@@ -29,6 +29,7 @@ class AMadeUpHouse(unittest.TestCase):
     FILES = (
         "core/include/glint/scene.hpp", "core/math/vec.hpp", "core/sdl/lexer.hpp", "core/render/renderer.cpp",
         "core/kernel/kernel.hpp", "platform/gles/gl.hpp", "platform/egl/include/glint/egl/surface.hpp", "bench/table.hpp",
+        "bench/peers/peer.hpp",
     )
 
     def setUp(self):
@@ -75,14 +76,21 @@ class AMadeUpHouse(unittest.TestCase):
         self.check("bench/report.cpp", '"sdl/lexer.hpp"', "bench may not use core/sdl")
         self.check("core/scene/scene.cpp", "<glint/egl/surface.hpp>", "core/scene may not use platform/egl")
 
+    def test_a_peer_is_a_room_inside_a_room(self):
+        self.check("bench/peers/embree/device.cpp", "<embree3/rtcore.h>", None)
+        self.check("bench/peers/embree/device.cpp", '"bench/peers/peer.hpp"', None)
+        self.check("bench/peers/embree/device.cpp", '"bench/table.hpp"', "bench/peers/embree may not use bench")
+        self.check("bench/table.cpp", '"bench/peers/peer.hpp"', None)
+        self.check("bench/table.cpp", "<embree3/rtcore.h>", "is for bench/peers/embree")
+
     def test_public_headers_show_no_insides_and_no_other_libraries(self):
         public = "core/include/glint/renderer.hpp"
         self.check(public, "<glm/vec3.hpp>", None)
         self.check(public, "<vector>", None)
         self.check(public, '"math/vec.hpp"', "a public header")
-        for library in ("<GLES3/gl3.h>", "<OpenImageIO/imageio.h>"):
+        for library in ("<GLES3/gl3.h>", "<OpenImageIO/imageio.h>", "<immintrin.h>"):
             self.check(public, library, "is for")
-        self.check(public, "<immintrin.h>", "an unknown library")
+        self.check(public, "<zlib.h>", "an unknown library")
         self.check(public, "<unistd.h>", "every system")
 
     def test_the_core_includes_neither_streams_to_print_on_nor_signals(self):

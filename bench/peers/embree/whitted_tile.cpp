@@ -206,8 +206,10 @@ private:
             Float reflection = properties.reflection, transmission = properties.transmission;
             if (bits(is_object & ((reflection > 0.0f) | (transmission > 0.0f))) != 0) {
                 const Int both = (reflection > 0.0f) & (transmission > 0.0f);
-                reflection = both & (weight * reflection < least_branch_weight) ? all(0.0f) : reflection;
-                transmission = both & (weight * transmission < least_branch_weight) ? all(0.0f) : transmission;
+                const Int faint_mirror = both & (weight * reflection < least_branch_weight);
+                const Int faint_glass = both & (weight * transmission < least_branch_weight);
+                reflection = faint_mirror ? all(0.0f) : reflection;
+                transmission = faint_glass ? all(0.0f) : transmission;
                 share = 1.0f - reflection - transmission;
                 if (const unsigned through = bits(is_object & (transmission > 0.0f))) {
                     next_.add(point - off, dir, weight * transmission, pixel, through);

@@ -38,12 +38,13 @@ HWY_INLINE void closest_hits(const GeometryView &geometry, const RayBatch &batch
     RayGroup rays;
     RaySelection selection;
     const TraceQuestion question{geometry};
+    BeamHistory history{};
     for (size_t first = 0; first < batch.count; first += group_size) {
         const auto count = static_cast<uint32_t>(smaller(batch.count - first, size_t{group_size}));
         if (load_group(batch, first, count, rays, selection)) {
-            trace<true, false>(question, rays, selection);
+            trace<true, false>(question, rays, selection, history);
         } else {
-            trace<false, false>(question, rays, selection);
+            trace<false, false>(question, rays, selection, history);
         }
         __builtin_memcpy(hits.t + first, rays.t, count * sizeof(float));
         __builtin_memcpy(hits.triangle_id + first, rays.triangle_id, count * sizeof(uint32_t));
@@ -54,12 +55,13 @@ HWY_INLINE void any_hits(const GeometryView &geometry, const RayBatch &batch, ui
     RayGroup rays;
     RaySelection selection;
     const TraceQuestion question{geometry};
+    BeamHistory history{};
     for (size_t first = 0; first < batch.count; first += group_size) {
         const auto count = static_cast<uint32_t>(smaller(batch.count - first, size_t{group_size}));
         if (load_group(batch, first, count, rays, selection)) {
-            trace<true, true>(question, rays, selection);
+            trace<true, true>(question, rays, selection, history);
         } else {
-            trace<false, true>(question, rays, selection);
+            trace<false, true>(question, rays, selection, history);
         }
         for (uint32_t i = 0; i < count; ++i) {
             occluded[first + i] = (selection.blocks[i / block_size] >> (i % block_size) & 1) != 0 ? 0 : 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accel/kd_tree.hpp"
+#include "kernel/intersect.hpp"
 #include "kernel/packet/ray_group.hpp"
 
 namespace glint::HWY_NAMESPACE {
@@ -38,6 +39,22 @@ struct Beam {
     float dir_reach; ///< largest coordinate of a direction
     float slack;     ///< see prepared_ray.hpp; contained in the offsets
 };
+
+/// The four directions between which all rays of a beam lie, repeated over the lanes.
+HWY_INLINE Points corner_directions(const Beam &beam) {
+    alignas(64) float rows[3][lane_count];
+    for (uint32_t lane = 0; lane < lane_count; ++lane) {
+        rows[beam.axes.u][lane] = lane % 2 == 0 ? -beam.slope[0] : beam.slope[1];
+        rows[beam.axes.v][lane] = lane / 2 % 2 == 0 ? -beam.slope[2] : beam.slope[3];
+        rows[beam.axes.z][lane] = beam.axes.sign;
+    }
+    return {hn::Load(floats, rows[0]), hn::Load(floats, rows[1]), hn::Load(floats, rows[2])};
+}
+/// The largest coordinate of one of those.
+HWY_INLINE float corner_reach(const Beam &beam) {
+    return larger(1.0f, larger(larger(magnitude(beam.slope[0]), magnitude(beam.slope[1])),
+                               larger(magnitude(beam.slope[2]), magnitude(beam.slope[3]))));
+}
 
 /// Beams steeper than this against their own axis are not worth making.
 inline constexpr float steepest_slope = 6.0f;
@@ -123,6 +140,94 @@ HWY_INLINE bool make_beam(const RayGroup &rays, const RaySelection &selection, c
         beam.z_begin = least_lane(z_begin) - beam.slack;
         for (int i = 0; i < 4; ++i) beam.offset[i] = greatest_lane(sides[i]) + beam.slack * (1.0f + steepest);
     }
+    return true;
+}
+
+/// The beam of primary rays through a full tile's pixels, all of unit length: on a flat window the steepest rays are
+/// those through the corners.
+HWY_INLINE bool make_tile_beam(const RayGroup &rays, const Box &scene_bounds, Beam &beam) {
+    RaySelection corners{};
+    corners.blocks[0] = 1u << 0;
+    corners.blocks[3] = 1u << 3;
+    corners.blocks[12] = 1u << 12;
+    corners.blocks[15] = 1u << 15;
+    if (!make_beam<true>(rays, corners, scene_bounds, beam)) return false;
+    beam.dir_reach = 1.0f + 0x1p-20f;
+    return true;
+}
+
+/// Where rays with one origin end.
+struct RayEnds {
+    Point3 lo, hi;     ///< box around org + t_max * dir
+    float reach;       ///< largest coordinate of an end
+    float way;         ///< largest coordinate of t_max * dir
+    float least_t_max; ///< of the rays
+    float way_lo[3], way_hi[3];
+};
+
+/// A ray's end is taken a little beyond its t_max, by 4 eps: see GroupTrace::all_end_before().
+HWY_INLINE RayEnds find_ends(const RayGroup &rays, const RaySelection &selection) {
+    const uint32_t first = first_ray_of(selection);
+    const Floats first_t = splat(rays.t[first]);
+    const Points first_dir = splat({rays.dir_x[first], rays.dir_y[first], rays.dir_z[first]});
+    const Floats infinity = splat(__builtin_inff());
+    Points lo = {infinity, infinity, infinity}, hi = {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)};
+    Floats least_t = first_t;
+    for_each_vector(selection, [&](uint32_t ray, uint32_t lane_bits) {
+        const FloatMask lanes = mask_of(lane_bits);
+        const Points dir = rays.dir(ray);
+        const Floats t = hn::IfThenElse(lanes, hn::Load(floats, rays.t + ray), first_t);
+        const Floats beyond = t * splat(1.0f + 0x1p-22f);
+        least_t = hn::Min(least_t, t);
+        const auto extend = [&](Floats &low, Floats &high, Floats d, Floats first_d) {
+            const Floats way = hn::IfThenElse(lanes, d, first_d) * beyond;
+            low = hn::Min(low, way);
+            high = hn::Max(high, way);
+        };
+        extend(lo.x, hi.x, dir.x, first_dir.x);
+        extend(lo.y, hi.y, dir.y, first_dir.y);
+        extend(lo.z, hi.z, dir.z, first_dir.z);
+    });
+    RayEnds ends;
+    const Floats lows[3] = {lo.x, lo.y, lo.z}, highs[3] = {hi.x, hi.y, hi.z};
+    for (int axis = 0; axis < 3; ++axis) {
+        ends.way_lo[axis] = least_lane(lows[axis]);
+        ends.way_hi[axis] = greatest_lane(highs[axis]);
+    }
+    const Point3 &org = rays.shared_origin;
+    ends.lo = {org.x + ends.way_lo[0], org.y + ends.way_lo[1], org.z + ends.way_lo[2]};
+    ends.hi = {org.x + ends.way_hi[0], org.y + ends.way_hi[1], org.z + ends.way_hi[2]};
+    ends.reach = larger(max_abs(ends.lo), max_abs(ends.hi));
+    ends.way = larger(max_abs(Point3{ends.way_lo[0], ends.way_lo[1], ends.way_lo[2]}),
+                      max_abs(Point3{ends.way_hi[0], ends.way_hi[1], ends.way_hi[2]}));
+    ends.least_t_max = least_lane(least_t);
+    return ends;
+}
+
+/// The beam from a point to the box around the rays' ends: quicker made than the closest one, and hardly wider where
+/// the ends lie on a surface that a tile sees.
+HWY_INLINE bool make_end_beam(const RayGroup &rays, const RayEnds &ends, const Box &scene_bounds, Beam &beam) {
+    beam.axes = axes_along(ends.way_lo[0] + ends.way_hi[0], ends.way_lo[1] + ends.way_hi[1],
+                           ends.way_lo[2] + ends.way_hi[2], rays.shared_origin);
+    const BeamAxes &axes = beam.axes;
+    const bool turned = axes.sign < 0.0f;
+    const float nearest = turned ? -ends.way_hi[axes.z] : ends.way_lo[axes.z];
+    const float farthest = turned ? -ends.way_lo[axes.z] : ends.way_hi[axes.z];
+    if (!(nearest > 0.0f) || !(ends.least_t_max > 0.0f)) return false;
+    const float by_nearest = 1.0f / nearest, by_farthest = 1.0f / farthest;
+    const auto slope = [&](float across) { return across * (across > 0.0f ? by_nearest : by_farthest); };
+    beam.slope[0] = slope(-ends.way_lo[axes.u]);
+    beam.slope[1] = slope(ends.way_hi[axes.u]);
+    beam.slope[2] = slope(-ends.way_lo[axes.v]);
+    beam.slope[3] = slope(ends.way_hi[axes.v]);
+    const float steepest = larger(larger(magnitude(beam.slope[0]), magnitude(beam.slope[1])),
+                                  larger(magnitude(beam.slope[2]), magnitude(beam.slope[3])));
+    if (!(steepest <= steepest_slope)) return false;
+    beam.dir_reach = ends.way / ends.least_t_max;
+    beam.slack = 0x1p-20f * reach_of(scene_bounds, rays.shared_origin);
+    for (float &offset : beam.offset) offset = beam.slack * (1.0f + steepest);
+    beam.z_begin = -beam.slack;
+    beam.z_end = farthest + farthest * distance_error + beam.slack;
     return true;
 }
 

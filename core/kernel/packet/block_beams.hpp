@@ -1,7 +1,6 @@
 // A beam around each block of a group: tells which blocks of rays a triangle can concern.
 #pragma once
 
-#include "kernel/intersect.hpp"
 #include "kernel/packet/beam.hpp"
 
 namespace glint::HWY_NAMESPACE {

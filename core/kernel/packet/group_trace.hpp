@@ -19,14 +19,29 @@ struct TraceQuestion {
 /// After this many triangles in a group's beam it pays to look at each block's own beam first.
 inline constexpr uint32_t block_beams_after = 3;
 
+#ifdef COUNTING
+extern "C" unsigned long long glint_counts[3][16];
+#define COUNT(i) (++glint_counts[shares_origin ? any_hit ? 1 : 0 : 2][i])
+#else
+#define COUNT(i) ((void)0)
+#endif
 template <bool shares_origin, bool any_hit> class GroupTrace {
 public:
     /// `rays` holds what RayGroup says; of the selected rays those that are hit are deselected where any hit will do.
-    HWY_INLINE GroupTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, const Beam &beam)
-        : question_(question), rays_(rays), selection_(selection), beam_(beam) {
+    HWY_INLINE GroupTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, const Beam &beam,
+                          const RayEnds *ends)
+        : question_(question),
+          rays_(rays),
+          selection_(selection),
+          beam_(beam),
+          corners_{hn::Zero(floats), hn::Zero(floats), hn::Zero(floats)} {
         for (uint32_t &id : seen_) id = no_triangle;
         reach_ = beam.slack * 0x1p20f;
-        beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
+        COUNT(4);
+        if (ends) {
+            ends_ = *ends;
+            has_ends_ = true;
+        }
     }
 
     /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so far
@@ -45,7 +60,8 @@ public:
         const BeamAxes &axes = beam_.axes;
         while (true) {
             const KdNode node = geometry.nodes[index];
-            if (++steps_ > budget) return false;
+            COUNT(5);
+            if (++steps_ > budget) { COUNT(6); return false; }
             if (!node.is_leaf()) {
                 const auto axis = static_cast<int>(node.axis());
                 const uint32_t lower = index + 1, upper = node.upper_child();
@@ -153,19 +169,37 @@ private:
         dirty_blocks_ = 0;
         for (uint32_t first = 0; first < count; first += lane_count) {
             const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
-            uint32_t entered = triangles_in_beam(beam_, BeamCorners(beam_.axes, words, count, first)) & valid;
+            COUNT(7);
+            const BeamCorners corners(beam_.axes, words, count, first);
+            uint32_t entered = triangles_in_beam(beam_, corners) & valid;
+            if (entered == 0) continue;
             steps_ += 2 * static_cast<uint32_t>(__builtin_popcount(entered));
-            for (; entered != 0; entered &= entered - 1) test(words, count, first + lowest_bit(entered));
+            if (any_hit || (entered & (entered - 1)) == 0) {
+                for (; entered != 0; entered &= entered - 1) test(words, count, first + lowest_bit(entered));
+            } else {
+                test_by_depth(words, count, first, entered, min3(corners.z[0], corners.z[1], corners.z[2]));
+            }
         }
         if (dirty_blocks_ == 0) return false;
         if (any_hit && selection_.empty()) return true;
-        if (has_block_beams_) {
-            for (uint32_t blocks = dirty_blocks_; blocks != 0; blocks &= blocks - 1) update_end(lowest_bit(blocks));
-            beam_.z_end = largest_end();
-        } else {
-            beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
-        }
+        update_group_end();
         return false;
+    }
+
+    /// Nearest first, as long as they are not beyond what all rays hit.
+    HWY_INLINE void test_by_depth(const uint32_t *words, uint32_t count, uint32_t first, uint32_t entered,
+                                  Floats depths) {
+        alignas(64) float depth[lane_count];
+        hn::Store(depths, floats, depth);
+        while (entered != 0) {
+            uint32_t nearest = lowest_bit(entered);
+            for (uint32_t rest = entered & (entered - 1); rest != 0; rest &= rest - 1) {
+                if (depth[lowest_bit(rest)] < depth[nearest]) nearest = lowest_bit(rest);
+            }
+            if (depth[nearest] > beam_.z_end) return;
+            entered &= ~(1u << nearest);
+            test(words, count, first + nearest);
+        }
     }
 
     HWY_INLINE void test(const uint32_t *words, uint32_t count, uint32_t i) {
@@ -177,24 +211,35 @@ private:
             question_.geometry.surfaces[id].surface == question_.passed_surface) {
             return;
         }
+        COUNT(0);
         const TriangleSetup triangle(words, count, i);
+        const ExactPlane plane(triangle);
         if constexpr (shares_origin && any_hit) {
-            if (all_end_before(triangle)) return;
+            if (all_end_before(triangle, plane)) return;
         }
-        uint32_t blocks = (1u << block_count) - 1;
-        if (++tested_ > block_beams_after) {
-            if (!has_block_beams_) make_block_beams();
-            blocks = blocks_.entered_by(beam_.axes, triangle.corners);
-        }
+        COUNT(1);
         if constexpr (shares_origin) {
-            TriangleFromPoint test(triangle, rays_.shared_origin, beam_.dir_reach);
-            for (; blocks != 0; blocks &= blocks - 1) {
+            if (tested_ == 0) {
+                corners_ = corner_directions(beam_);
+                corner_reach_ = corner_reach(beam_);
+            }
+            TriangleFromPoint test(triangle, plane, rays_.shared_origin, beam_.dir_reach);
+            const BeamVerdict verdict = test.judge_beam(corners_, corner_reach_);
+            if (verdict == BeamVerdict::missed) return;
+            const auto distances = [&](uint32_t ray, uint32_t lanes) { return test.distances(rays_.dir(ray), lanes); };
+            if (verdict == BeamVerdict::covered) {
+                for (uint32_t block = 0; block < block_count; ++block) hit_block(triangle, block, distances);
+                ++tested_;
+                if (!any_hit) update_group_end();
+                return;
+            }
+            for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
                 test_block(triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); },
-                           [&](uint32_t ray, uint32_t lanes) { return test.distances(rays_.dir(ray), lanes); });
+                           distances);
             }
         } else {
             const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
-            for (; blocks != 0; blocks &= blocks - 1) {
+            for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
                 test_block(triangle, lowest_bit(blocks),
                            [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
                            [&](uint32_t ray, uint32_t lanes) {
@@ -204,52 +249,34 @@ private:
         }
     }
 
+    HWY_INLINE uint32_t blocks_entered_by(const TriangleSetup &triangle) {
+        if (++tested_ <= block_beams_after) return (1u << block_count) - 1;
+        if (!has_block_beams_) make_block_beams();
+        return blocks_.entered_by(beam_.axes, triangle.corners);
+    }
+
     /// Whether the triangle's plane has all rays, from origin to end, on one side for certain: then no ray can meet it
     /// before its end. True of the surfaces that shadow rays end on, and of all walls of a convex room.
-    HWY_INLINE bool all_end_before(const TriangleSetup &triangle) {
-        if (!has_ends_) find_ends();
-        const ExactPlane plane(triangle);
-        const Point3 n = plane.normal();
+    HWY_INLINE bool all_end_before(const TriangleSetup &triangle, const ExactPlane &plane) {
+        if (!has_ends_) {
+            ends_ = find_ends(rays_, selection_);
+            has_ends_ = true;
+        }
+        const Point3 n = plane.n.rounded();
         const double at_origin = -plane.offset(triangle, rays_.shared_origin);
         const double side = at_origin < 0.0 ? -1.0 : 1.0;
         const auto least = [side](double m, float lo, float hi) {
             const double a = side * m * lo, b = side * m * hi;
             return a < b ? a : b;
         };
-        const double at_ends = least(plane.n_x, ends_lo_.x - triangle.corners[0], ends_hi_.x - triangle.corners[0]) +
-                               least(plane.n_y, ends_lo_.y - triangle.corners[1], ends_hi_.y - triangle.corners[1]) +
-                               least(plane.n_z, ends_lo_.z - triangle.corners[2], ends_hi_.z - triangle.corners[2]);
+        const double at_ends = least(plane.n.x, ends_.lo.x - triangle.corners[0], ends_.hi.x - triangle.corners[0]) +
+                               least(plane.n.y, ends_.lo.y - triangle.corners[1], ends_.hi.y - triangle.corners[1]) +
+                               least(plane.n.z, ends_.lo.z - triangle.corners[2], ends_.hi.z - triangle.corners[2]);
         // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max and
         // the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
-        const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_way_ + ends_reach_) +
+        const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_.way + ends_.reach) +
                               double(0x1p-46f * triangle.edge_reach) * triangle.edge_reach * reach_;
         return at_origin * side > margin && at_ends > margin;
-    }
-
-    HWY_NOINLINE void find_ends() {
-        const Floats infinity = splat(__builtin_inff());
-        Points lo = {infinity, infinity, infinity}, hi = {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)};
-        const Points org = splat(rays_.shared_origin);
-        Floats way = hn::Zero(floats);
-        for_each_vector(selection_, [&](uint32_t ray, uint32_t lane_bits) {
-            const FloatMask lanes = mask_of(lane_bits);
-            const Points dir = rays_.dir(ray);
-            const Floats t = hn::Load(floats, rays_.t + ray) * splat(1.0f + 0x1p-22f);
-            const auto extend = [&](Floats &low, Floats &high, Floats o, Floats d) {
-                const Floats way_along = d * t, end = o + way_along;
-                way = hn::Max(way, hn::IfThenElseZero(lanes, hn::Abs(way_along)));
-                low = hn::Min(low, hn::IfThenElse(lanes, end, infinity));
-                high = hn::Max(high, hn::IfThenElse(lanes, end, hn::Neg(infinity)));
-            };
-            extend(lo.x, hi.x, org.x, dir.x);
-            extend(lo.y, hi.y, org.y, dir.y);
-            extend(lo.z, hi.z, org.z, dir.z);
-        });
-        ends_lo_ = {least_lane(lo.x), least_lane(lo.y), least_lane(lo.z)};
-        ends_hi_ = {greatest_lane(hi.x), greatest_lane(hi.y), greatest_lane(hi.z)};
-        ends_way_ = greatest_lane(way);
-        ends_reach_ = larger(max_abs(ends_lo_), max_abs(ends_hi_));
-        has_ends_ = true;
     }
 
     template <typename Filter, typename Distances>
@@ -259,32 +286,53 @@ private:
             const uint32_t lanes = (bits >> part) & all_lanes;
             if (lanes == 0) continue;
             const uint32_t ray = block * block_size + part;
+            COUNT(2);
             const FilterResult result = filter(ray);
-            const Uints id = hn::Set(uints, triangle.id);
-            const FloatMask left = hn::RebindMask(floats, hn::Eq(id, hn::Load(uints, rays_.left + ray)));
-            const uint32_t possible = bits_of(hn::AndNot(left, result.possible)) & lanes;
+            const uint32_t possible = bits_of(result.possible) & lanes & ~lanes_that_left(triangle, ray);
             if (possible == 0) continue;
             const uint32_t certain = bits_of(result.certain) & possible;
+            COUNT(3);
             Floats t = distances(ray, certain);
             if (certain != possible) t = with_exact_distances(triangle, ray, possible & ~certain, t);
-            const Floats best = hn::Load(floats, rays_.t + ray);
-            FloatMask nearer = hn::Lt(t, best);
-            if constexpr (!any_hit) {
-                const Uints best_id = hn::Load(uints, rays_.triangle_id + ray);
-                const FloatMask lower_id = hn::RebindMask(floats, hn::Lt(id, best_id));
-                nearer = hn::Or(nearer, hn::And(hn::Eq(t, best), lower_id));
-            }
-            const FloatMask hit = hn::And(hn::And(nearer, hn::Gt(t, hn::Zero(floats))), mask_of(possible));
-            const uint32_t hit_bits = bits_of(hit);
-            if (hit_bits == 0) continue;
-            dirty_blocks_ |= 1u << block;
-            if constexpr (any_hit) {
-                selection_.remove(ray, hit_bits);
-            } else {
-                hn::Store(hn::IfThenElse(hit, t, best), floats, rays_.t + ray);
-                const Uints old = hn::Load(uints, rays_.triangle_id + ray);
-                hn::Store(hn::IfThenElse(hn::RebindMask(uints, hit), id, old), uints, rays_.triangle_id + ray);
-            }
+            take_nearer(triangle, ray, possible, t);
+        }
+    }
+
+    /// As test_block() where the filter is known to be certain.
+    template <typename Distances>
+    HWY_INLINE void hit_block(const TriangleSetup &triangle, uint32_t block, Distances &&distances) {
+        const uint32_t bits = selection_.blocks[block];
+        for (uint32_t part = 0; part < block_size; part += lane_count) {
+            const uint32_t ray = block * block_size + part;
+            const uint32_t lanes = (bits >> part) & all_lanes & ~lanes_that_left(triangle, ray);
+            if (lanes != 0) take_nearer(triangle, ray, lanes, distances(ray, lanes));
+        }
+    }
+
+    HWY_INLINE uint32_t lanes_that_left(const TriangleSetup &triangle, uint32_t ray) const {
+        const Uints id = hn::Set(uints, triangle.id);
+        return bits_of(hn::RebindMask(floats, hn::Eq(id, hn::Load(uints, rays_.left + ray))));
+    }
+
+    HWY_INLINE void take_nearer(const TriangleSetup &triangle, uint32_t ray, uint32_t lanes, Floats t) {
+        const Floats best = hn::Load(floats, rays_.t + ray);
+        const Uints id = hn::Set(uints, triangle.id);
+        FloatMask nearer = hn::Lt(t, best);
+        if constexpr (!any_hit) {
+            const Uints best_id = hn::Load(uints, rays_.triangle_id + ray);
+            const FloatMask lower_id = hn::RebindMask(floats, hn::Lt(id, best_id));
+            nearer = hn::Or(nearer, hn::And(hn::Eq(t, best), lower_id));
+        }
+        const FloatMask hit = hn::And(hn::And(nearer, hn::Gt(t, hn::Zero(floats))), mask_of(lanes));
+        const uint32_t hit_bits = bits_of(hit);
+        if (hit_bits == 0) return;
+        dirty_blocks_ |= 1u << (ray / block_size);
+        if constexpr (any_hit) {
+            selection_.remove(ray, hit_bits);
+        } else {
+            hn::Store(hn::IfThenElse(hit, t, best), floats, rays_.t + ray);
+            const Uints old = hn::Load(uints, rays_.triangle_id + ray);
+            hn::Store(hn::IfThenElse(hn::RebindMask(uints, hit), id, old), uints, rays_.triangle_id + ray);
         }
     }
 
@@ -302,9 +350,19 @@ private:
                 org[1] = rays_.org_y[i];
                 org[2] = rays_.org_z[i];
             }
-            distances[lane] = exact_distance(org, dir, triangle.corners, question_.geometry.bounds);
+            distances[lane] = exact_distance(org, dir, triangle.corners);
         }
         return hn::Load(floats, distances);
+    }
+
+    HWY_INLINE void update_group_end() {
+        if (has_block_beams_) {
+            for (; dirty_blocks_ != 0; dirty_blocks_ &= dirty_blocks_ - 1) update_end(lowest_bit(dirty_blocks_));
+            beam_.z_end = largest_end();
+        } else {
+            beam_.z_end = group_end<shares_origin>(rays_, selection_, beam_);
+            dirty_blocks_ = 0;
+        }
     }
 
     HWY_NOINLINE void make_block_beams() {
@@ -335,10 +393,11 @@ private:
     uint32_t tested_ = 0;
     uint32_t dirty_blocks_ = 0;
     uint32_t seen_[seen_slots];
+    Points corners_;
+    float corner_reach_ = 1.0f;
     bool has_block_beams_ = false;
     bool has_ends_ = false;
-    Point3 ends_lo_, ends_hi_;    ///< box around the rays' ends
-    float ends_way_, ends_reach_; ///< largest coordinate of a ray from origin to end; of an end
+    RayEnds ends_{};
     BlockBeams blocks_;
 };
 

@@ -54,13 +54,21 @@ HWY_INLINE Floats splat(float value) {
 
 /// Lane i of a mask as bit i, and back.
 HWY_INLINE uint32_t bits_of(FloatMask mask) {
-    uint8_t bytes[8] = {};
-    hn::StoreMaskBits(floats, mask, bytes);
-    return uint32_t{bytes[0]} | uint32_t{bytes[1]} << 8;
+#if HWY_TARGET == HWY_AVX3
+    return mask.raw; // by way of memory it takes several times as long
+#else
+    uint64_t bits = 0;
+    hn::StoreMaskBits(floats, mask, reinterpret_cast<uint8_t *>(&bits));
+    return static_cast<uint32_t>(bits) & all_lanes;
+#endif
 }
 HWY_INLINE FloatMask mask_of(uint32_t bits) {
-    const uint8_t bytes[8] = {static_cast<uint8_t>(bits), static_cast<uint8_t>(bits >> 8)};
-    return hn::LoadMaskBits(floats, bytes);
+#if HWY_TARGET == HWY_AVX3
+    return FloatMask{static_cast<__mmask16>(bits)};
+#else
+    const uint64_t bytes = bits;
+    return hn::LoadMaskBits(floats, reinterpret_cast<const uint8_t *>(&bytes));
+#endif
 }
 
 HWY_INLINE Floats min3(Floats a, Floats b, Floats c) {
@@ -97,6 +105,10 @@ HWY_INLINE Floats dot(const Points &a, const Points &b) {
 
 HWY_INLINE Floats max_abs(const Points &p) {
     return max3(hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z));
+}
+
+HWY_INLINE Floats sum_abs(const Points &p) {
+    return (hn::Abs(p.x) + hn::Abs(p.y)) + hn::Abs(p.z);
 }
 
 /// Three coordinates of one point or vector.

@@ -1,6 +1,7 @@
 // One level of a tile's ray trees: at most one ray a pixel.
 #pragma once
 
+#include "kernel/kernel.hpp"
 #include "kernel/packet/trace.hpp"
 
 namespace glint::HWY_NAMESPACE {
@@ -18,10 +19,11 @@ struct RayLevel {
 inline constexpr int most_surfaces_apart = 6;
 
 /// The closest hits of all rays of a level. Rays that leave one surface go one way more often than others do.
-HWY_INLINE void trace_level(const GeometryView &geometry, RayLevel &level) {
+HWY_INLINE void trace_level(const GeometryView &geometry, RayLevel &level, BeamHistories &beams) {
     const TraceQuestion question{geometry};
     if (level.depth == 0) {
-        trace<true, false>(question, level.rays, level.selection);
+        trace<true, false>(question, level.rays, level.selection, beams.primary,
+                           level.selection.count() == group_size ? RayKind::full_tile : RayKind::any);
         return;
     }
     RaySelection waiting = level.selection;
@@ -40,7 +42,7 @@ HWY_INLINE void trace_level(const GeometryView &geometry, RayLevel &level) {
         for (uint32_t b = 0; b < block_count; ++b) {
             waiting.blocks[b] = static_cast<uint16_t>(waiting.blocks[b] & ~together.blocks[b]);
         }
-        trace<false, false>(question, level.rays, together);
+        trace<false, false>(question, level.rays, together, beams.secondary);
     }
 }
 

@@ -96,6 +96,7 @@ struct TileWork {
     RayGroup shadow;
     TileColors colors;
     RayLevel levels[2];
+    BeamHistories *beams;
 };
 
 /// Finds surface points, takes misses and lights into account, and puts the rays that go on into work.next and, where a
@@ -238,7 +239,8 @@ HWY_INLINE uint32_t add_light(const KernelScene &scene, const LightShading &ligh
         reached.add(ray, facing);
     });
     const uint32_t count = reached.count();
-    trace<true, true>(TraceQuestion{scene.geometry, light.surface}, shadow, reached);
+    trace<true, true>(TraceQuestion{scene.geometry, light.surface}, shadow, reached, work.beams->shadow,
+                      RayKind::shadow);
     const Points emission = points_of(light.emission);
     for_each_vector(reached, [&](uint32_t ray, uint32_t lanes) {
         const Points normal = points.normal(ray), dir = work.level->rays.dir(ray);

@@ -25,6 +25,11 @@ struct SingleRay {
     }
 };
 
+#ifdef COUNTING
+#define SCOUNT(i) (++glint_counts[any_hit ? 1 : 0][8 + i])
+#else
+#define SCOUNT(i) ((void)0)
+#endif
 template <bool any_hit> class SingleTrace {
 public:
     HWY_INLINE SingleTrace(const TraceQuestion &question, RayGroup &rays, uint32_t number, const Point3 &org)
@@ -39,6 +44,7 @@ public:
     /// True when something was hit; the closest hit is then in t() and triangle_id().
     HWY_INLINE bool run() {
         const GeometryView &geometry = question_.geometry;
+        SCOUNT(0);
         float t_near = 0.0f, t_far = best_t_ + distance_error * best_t_;
         for (int axis = 0; axis < 3; ++axis) {
             const float lo = axis == 0 ? geometry.bounds.lo.x : axis == 1 ? geometry.bounds.lo.y : geometry.bounds.lo.z;
@@ -59,6 +65,7 @@ public:
         uint32_t index = 0;
         while (true) {
             const KdNode node = geometry.nodes[index];
+            SCOUNT(1);
             if (!node.is_leaf()) {
                 const uint32_t axis = node.axis();
                 const float t_split = (node.split() - ray_.org[axis]) * ray_.inverse_dir[axis];
@@ -95,9 +102,11 @@ public:
 private:
     HWY_INLINE bool visit_leaf(const KdNode &node) {
         const uint32_t count = node.reference_count();
+        SCOUNT(5); if (count) SCOUNT(6);
         const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{node.first_reference()};
         for (uint32_t first = 0; first < count; first += lane_count) {
             const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
+            SCOUNT(2);
             const FilterResult result = filter(words, count, first);
             uint32_t possible = bits_of(result.possible) & valid;
             const uint32_t certain = bits_of(result.certain);
@@ -120,12 +129,14 @@ private:
         const Points n = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x};
         const Floats e = hn::Max(max3(hn::Abs(e1.x), hn::Abs(e1.y), hn::Abs(e1.z)),
                                  max3(hn::Abs(e2.x), hn::Abs(e2.y), hn::Abs(e2.z)));
-        const Floats margin =
-            splat(filter_error * ray_.dir_reach) * e * (splat(ray_.reach) + e) + splat(least_margin);
+        const Floats margin = splat(from_anywhere_error * ray_.dir_reach) * e * (splat(ray_.reach) + (e + e)) +
+                              (splat(from_anywhere_cross_error) * e * sum_abs(q) + splat(least_margin));
         return judge(dot(n, dir_), dot(e2, q), hn::Neg(dot(e1, q)), margin);
     }
 
     HWY_INLINE void accept(const uint32_t *words, uint32_t count, uint32_t i, bool certain) {
+        SCOUNT(3);
+        if (!certain) SCOUNT(4);
         const uint32_t id = words[9 * count + i];
         if (id == left_) return;
         if (any_hit && question_.passed_surface != no_surface &&
@@ -136,12 +147,12 @@ private:
         float t = 0.0f;
         if (certain) {
             const ExactPlane plane(triangle);
-            const Point3 n = plane.normal();
+            const Point3 n = plane.n.rounded();
             const float det = (n.x * ray_.dir[0] + n.y * ray_.dir[1]) + n.z * ray_.dir[2];
             certain = !(magnitude(det) < least_slope * sum_abs(n) * ray_.dir_reach);
             t = static_cast<float>(plane.offset(triangle, {ray_.org[0], ray_.org[1], ray_.org[2]})) / det;
         }
-        if (!certain) t = exact_distance(ray_.org, ray_.dir, triangle.corners, question_.geometry.bounds);
+        if (!certain) t = exact_distance(ray_.org, ray_.dir, triangle.corners);
         if (!(t > 0.0f)) return;
         if (t < best_t_ || (!any_hit && t == best_t_ && id < best_id_)) {
             best_t_ = t;

@@ -107,13 +107,14 @@ HWY_INLINE void render_tile(const KernelScene &scene, const KernelFrame &frame, 
     TileWork &work = *reinterpret_cast<TileWork *>(scratch.memory);
     RayLevel *const waiting = reinterpret_cast<RayLevel *>(scratch.memory + sizeof(TileWork));
     uint32_t waiting_count = 0;
+    work.beams = &scratch.beams;
     work.level = &work.levels[0];
     work.next = &work.levels[1];
     make_primary_rays(frame, tile, *work.level);
     scratch.rays.primary += work.level->selection.count();
     work.colors.clear();
     while (true) {
-        trace_level(scene.geometry, *work.level);
+        trace_level(scene.geometry, *work.level, *work.beams);
         RayLevel &branch = waiting[waiting_count];
         scratch.rays.secondary += reach_surfaces(scene, frame.max_depth, work, branch);
         for (uint32_t i = 0; i < scene.light_count; ++i) {

@@ -1,20 +1,27 @@
 // Chooses how the rays of a group are traced: all together, block by block, or one by one.
 #pragma once
 
+#include "kernel/kernel.hpp"
 #include "kernel/packet/single_trace.hpp"
 
 namespace glint::HWY_NAMESPACE {
 
 /// A beam wider than this (by slope, from side to side) is not tried.
-inline constexpr float widest_beam = 0.7f;
+inline constexpr float widest_beam = 4.0f;
 /// Fewer rays than this are not worth a beam.
 inline constexpr uint32_t fewest_in_beam = 4;
-/// Steps that a beam may take, by the rays in it: more than that and it is taken apart. Measured, see
+/// Steps that a beam may take before it is taken apart, for a group, a quarter of one, a block. Measured: see
 /// docs/performance.md.
-#ifndef BUDGET
-#define BUDGET 6
-#endif
-inline constexpr uint32_t steps_per_ray = BUDGET, steps_at_least = 60;
+inline constexpr uint32_t beam_budget[3] = {1600, 450, 156};
+
+/// After some failures only every eighth beam of a size is tried.
+HWY_INLINE bool worth_trying(BeamHistory &history, int size) {
+    return history.failures[size] < 6 || ++history.skipped[size] % 8 == 0;
+}
+HWY_INLINE void note(BeamHistory &history, int size, bool succeeded) {
+    const int failures = history.failures[size] + (succeeded ? -2 : 2);
+    history.failures[size] = static_cast<uint8_t>(failures < 0 ? 0 : failures > 8 ? 8 : failures);
+}
 
 template <bool shares_origin, bool any_hit>
 HWY_NOINLINE void trace_singly(const TraceQuestion &question, RayGroup &rays, RaySelection &selection) {
@@ -38,22 +45,47 @@ HWY_INLINE float width_of(const Beam &beam) {
     return larger(beam.slope[0] + beam.slope[1], beam.slope[2] + beam.slope[3]);
 }
 
+/// What is known of a group's rays beforehand.
+enum class RayKind {
+    any,
+    full_tile, ///< primary rays through all pixels of a tile
+    shadow,    ///< ends on a surface that a tile sees
+};
+
 /// Traces the selected rays as one beam; false where that does not pay.
 template <bool shares_origin, bool any_hit>
-HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays, RaySelection &selection) {
-    const uint32_t count = selection.count();
+HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, int size,
+                             BeamHistory &history, RayKind kind) {
+    if (!worth_trying(history, size) || selection.count() < fewest_in_beam) return false;
+    const Box &bounds = question.geometry.bounds;
     Beam beam;
-    if (count < fewest_in_beam || !make_beam<shares_origin>(rays, selection, question.geometry.bounds, beam) ||
-        width_of(beam) > widest_beam) {
-        return false;
+    RayEnds ends;
+    const RayEnds *known_ends = nullptr;
+    bool one_way;
+    if (kind == RayKind::full_tile) {
+        one_way = make_tile_beam(rays, bounds, beam);
+    } else if (kind == RayKind::shadow) {
+        ends = find_ends(rays, selection);
+        known_ends = &ends;
+        one_way = make_end_beam(rays, ends, bounds, beam);
+    } else {
+        one_way = make_beam<shares_origin>(rays, selection, bounds, beam);
+        if (one_way && (any_hit || rays.t[first_ray_of(selection)] < __FLT_MAX__)) {
+            beam.z_end = group_end<shares_origin>(rays, selection, beam);
+        }
     }
-    return GroupTrace<shares_origin, any_hit>(question, rays, selection, beam).run(steps_at_least + steps_per_ray * count);
+    const bool done = one_way && width_of(beam) <= widest_beam &&
+                      GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, known_ends)
+                          .run(beam_budget[size]);
+    note(history, size, done);
+    return done;
 }
 
 /// Traces the selected rays. Those that are hit are deselected where any hit will do.
 template <bool shares_origin, bool any_hit>
-HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection) {
-    if (selection.empty() || trace_beam<shares_origin, any_hit>(question, rays, selection)) return;
+HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, BeamHistory &history,
+                        RayKind kind = RayKind::any) {
+    if (selection.empty() || trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, kind)) return;
     // Quarters of 2 x 2 blocks, then blocks, then rays.
     for (uint32_t quarter = 0; quarter < 4; ++quarter) {
         const uint32_t corner = quarter / 2 * 8 + quarter % 2 * 2;
@@ -61,12 +93,12 @@ HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelect
         RaySelection part{};
         for (const uint32_t block : blocks) part.blocks[block] = selection.blocks[block];
         if (part.empty()) continue;
-        if (!trace_beam<shares_origin, any_hit>(question, rays, part)) {
+        if (!trace_beam<shares_origin, any_hit>(question, rays, part, 1, history, RayKind::any)) {
             for (const uint32_t block : blocks) {
                 if (part.blocks[block] == 0) continue;
                 RaySelection one{};
                 one.blocks[block] = part.blocks[block];
-                if (!trace_beam<shares_origin, any_hit>(question, rays, one)) {
+                if (!trace_beam<shares_origin, any_hit>(question, rays, one, 2, history, RayKind::any)) {
                     trace_singly<shares_origin, any_hit>(question, rays, one);
                 }
                 part.blocks[block] = one.blocks[block];

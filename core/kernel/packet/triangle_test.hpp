@@ -7,19 +7,25 @@
 namespace glint::HWY_NAMESPACE {
 
 /// With s = org - a, n = e1 x e2, a ray meets the triangle's plane at a + U e1 + V e2 where
-///     U (n . dir) = dir . (s x e2),   V (n . dir) = dir . (e1 x s),   W = 1 - U - V
-/// (Moller & Trumbore 1997). The three numerators, in float, are off by less than this times |dir| |e| (|s| + |e|) in
-/// the maximum norm: 98 eps by counting every rounding from the corners on, eps = 2^-24. All above the margin, or all
-/// below minus it: certainly inside, and not seen edge on. One above and one below: certainly outside. All else is for
-/// exact_distance().
-inline constexpr float filter_error = 0x1p-17f;
+///     U (n . dir) = dir . (s x e2) = e2 . (dir x s),   V (n . dir) = dir . (e1 x s) = -e1 . (dir x s),   W = 1 - U - V
+/// (Moller & Trumbore 1997). All three numerators above their error, or all below minus it: certainly inside, and not
+/// seen edge on. One above and one below: certainly outside. All else is for exact_distance().
+///
+/// The error, by counting every rounding from the corners on, with eps = 2^-24 and all lengths in the maximum norm:
+///  - from one point, cross products in double, rounded once: 10 eps |dir| |e| |s| for U and V, 10 eps |dir| |e|^2 for
+///    n . dir, hence 26 eps |dir| |e| (|s| + |e|) for W;
+///  - from anywhere, with q = dir x s: each component of q is off by 4 eps |dir| |s| + eps |q|, U and V by
+///    |e| (12 eps |dir| |s| + 6 eps sum|q|), and n . dir, cross product in float, by 40 eps |dir| |e|^2.
+inline constexpr float from_point_error = 32 * 0x1p-24f;
+inline constexpr float from_anywhere_error = 28 * 0x1p-24f;       ///< times |dir| |e| (|s| + 2 |e|)
+inline constexpr float from_anywhere_cross_error = 16 * 0x1p-24f; ///< times |e| sum|q|
 /// Added to the margin: covers what is lost where products fall below the smallest normal float.
 inline constexpr float least_margin = 0x1p-120f;
 
-/// What all tests of a triangle share.
+/// A triangle out of its leaf.
 struct TriangleSetup {
     float corners[9];
-    Point3 e1, e2, n;
+    Point3 e1, e2;
     float edge_reach; ///< largest coordinate of e1 and e2
     uint32_t id;
 
@@ -28,35 +34,41 @@ struct TriangleSetup {
         id = leaf_words[9 * count + i];
         e1 = {corners[3] - corners[0], corners[4] - corners[1], corners[5] - corners[2]};
         e2 = {corners[6] - corners[0], corners[7] - corners[1], corners[8] - corners[2]};
-        n = cross(e1, e2);
         edge_reach = larger(max_abs(e1), max_abs(e2));
     }
 };
 
-/// The triangle's plane as intersect() computes distances to it.
-struct ExactPlane {
-    double n_x, n_y, n_z;
+/// Three coordinates of one vector in double.
+struct Exact3 {
+    double x, y, z;
 
-    ExactPlane() = default;
-    HWY_INLINE explicit ExactPlane(const TriangleSetup &triangle) {
-        const float *c = triangle.corners;
-        const double ax = c[0], ay = c[1], az = c[2];
-        const double e1x = c[3] - ax, e1y = c[4] - ay, e1z = c[5] - az;
-        const double e2x = c[6] - ax, e2y = c[7] - ay, e2z = c[8] - az;
-        n_x = e1y * e2z - e1z * e2y;
-        n_y = e1z * e2x - e1x * e2z;
-        n_z = e1x * e2y - e1y * e2x;
+    [[nodiscard]] HWY_INLINE Point3 rounded() const {
+        return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
     }
-    [[nodiscard]] HWY_INLINE Point3 normal() const {
-        return {static_cast<float>(n_x), static_cast<float>(n_y), static_cast<float>(n_z)};
-    }
+};
+HWY_INLINE Exact3 cross(const Exact3 &a, const Exact3 &b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+HWY_INLINE Exact3 exact_difference(const float *a, const float *b) {
+    return {a[0] - double(b[0]), a[1] - double(b[1]), a[2] - double(b[2])};
+}
+
+/// The triangle's plane as exact_distance() has it.
+struct ExactPlane {
+    Exact3 e1, e2, n;
+
+    HWY_INLINE explicit ExactPlane(const TriangleSetup &triangle)
+        : e1(exact_difference(triangle.corners + 3, triangle.corners)),
+          e2(exact_difference(triangle.corners + 6, triangle.corners)),
+          n(cross(e1, e2)) {}
+
     /// n . (a - org)
     [[nodiscard]] HWY_INLINE double offset(const TriangleSetup &triangle, const Point3 &org) const {
         const float *a = triangle.corners;
-        return (n_x * (a[0] - double(org.x)) + n_y * (a[1] - double(org.y))) + n_z * (a[2] - double(org.z));
+        return (n.x * (a[0] - double(org.x)) + n.y * (a[1] - double(org.y))) + n.z * (a[2] - double(org.z));
     }
     [[nodiscard]] HWY_INLINE Doubles dot(Doubles x, Doubles y, Doubles z) const {
-        return (hn::Set(doubles, n_x) * x + hn::Set(doubles, n_y) * y) + hn::Set(doubles, n_z) * z;
+        return (hn::Set(doubles, n.x) * x + hn::Set(doubles, n.y) * y) + hn::Set(doubles, n.z) * z;
     }
 };
 
@@ -74,60 +86,80 @@ HWY_INLINE FilterResult judge(Floats det, Floats u, Floats v, Floats margin) {
     return {hn::Not(hn::And(above, below)), hn::Or(hn::Gt(least, margin), hn::Lt(greatest, minus_margin))};
 }
 
+/// How a triangle lies to a whole beam.
+enum class BeamVerdict { missed, crossed, covered };
+
 /// A triangle seen from one point.
 class TriangleFromPoint {
 public:
     /// `dir_reach` is at least the largest coordinate of any direction that will be tested.
-    HWY_INLINE TriangleFromPoint(const TriangleSetup &triangle, const Point3 &org, float dir_reach)
-        : triangle_(triangle), org_(org), dir_reach_(dir_reach) {
-        const Point3 s = {org.x - triangle.corners[0], org.y - triangle.corners[1], org.z - triangle.corners[2]};
-        u_ = splat(cross(s, triangle.e2));
-        v_ = splat(cross(triangle.e1, s));
-        n_ = splat(triangle.n);
+    HWY_INLINE TriangleFromPoint(const TriangleSetup &triangle, const ExactPlane &plane, const Point3 &org,
+                                 float dir_reach)
+        : triangle_(triangle), plane_(plane), org_(org), dir_reach_(dir_reach) {
+        const float from[3] = {org.x, org.y, org.z};
+        const Exact3 s = exact_difference(from, triangle.corners);
+        u_ = splat(cross(s, plane.e2).rounded());
+        v_ = splat(cross(plane.e1, s).rounded());
+        normal_ = plane.n.rounded();
+        n_ = splat(normal_);
         const float e = triangle.edge_reach;
-        margin_ = splat(filter_error * dir_reach * e * (max_abs(s) + e) + least_margin);
+        margin_ = splat(from_point_error * dir_reach * e * (max_abs(s.rounded()) + e) + least_margin);
     }
 
     [[nodiscard]] HWY_INLINE FilterResult filter(const Points &dir) const {
         return judge(dot(n_, dir), dot(u_, dir), dot(v_, dir), margin_);
     }
 
-    /// Distances as intersect() has them where the filter is certain; `lanes` are those that matter.
+    /// What the filter would say of every ray between some directions, one a lane: the numerators are linear in the
+    /// direction, so their signs at the corners tell. `corner_reach` is the largest coordinate of a corner.
+    [[nodiscard]] HWY_INLINE BeamVerdict judge_beam(const Points &corners, float corner_reach) const {
+        const Floats det = dot(n_, corners), u = dot(u_, corners), v = dot(v_, corners), w = (det - u) - v;
+        // Twice the margin, since the corners are rounded too.
+        const Floats margin = margin_ * splat(2.0f * corner_reach / dir_reach_) + splat(least_margin);
+        const Floats minus_margin = hn::Neg(margin);
+        const auto everywhere = [](FloatMask mask) { return bits_of(mask) == all_lanes; };
+        const bool some_positive = everywhere(hn::Gt(u, margin)) || everywhere(hn::Gt(v, margin)) ||
+                                   everywhere(hn::Gt(w, margin));
+        const bool some_negative = everywhere(hn::Lt(u, minus_margin)) || everywhere(hn::Lt(v, minus_margin)) ||
+                                   everywhere(hn::Lt(w, minus_margin));
+        if (some_positive && some_negative) return BeamVerdict::missed;
+        return everywhere(hn::Gt(min3(u, v, w), margin)) || everywhere(hn::Lt(max3(u, v, w), minus_margin))
+                   ? BeamVerdict::covered
+                   : BeamVerdict::crossed;
+    }
+
+    /// Distances as exact_distance() has them where the filter is certain; `lanes` are those that matter.
     [[nodiscard]] HWY_INLINE Floats distances(const Points &dir, uint32_t lanes) {
-        if (!has_plane_) make_plane();
-        const Floats det = dot(plane_n_, dir);
+        if (!has_offset_) make_offset();
+        const Floats det = dot(n_, dir);
         const Floats t = offset_ / det;
         if ((bits_of(hn::Lt(hn::Abs(det), least_det_)) & lanes) == 0) return t;
         // Some lanes may graze the triangle: decide by each ray's own direction, go on in double.
         const FloatMask grazing = hn::Lt(hn::Abs(det), splat(least_slope * sum_abs(normal_)) * max_abs(dir));
         const DoubleLanes x = promote(dir.x), y = promote(dir.y), z = promote(dir.z);
         const Doubles offset = hn::Set(doubles, exact_offset_);
-        return hn::IfThenElse(grazing, demote({offset / exact_.dot(x.lower, y.lower, z.lower),
-                                               offset / exact_.dot(x.upper, y.upper, z.upper)}), t);
+        return hn::IfThenElse(grazing, demote({offset / plane_.dot(x.lower, y.lower, z.lower),
+                                               offset / plane_.dot(x.upper, y.upper, z.upper)}), t);
     }
 
 private:
-    HWY_INLINE void make_plane() {
-        exact_ = ExactPlane(triangle_);
-        normal_ = exact_.normal();
-        exact_offset_ = exact_.offset(triangle_, org_);
-        plane_n_ = splat(normal_);
+    HWY_INLINE void make_offset() {
+        exact_offset_ = plane_.offset(triangle_, org_);
         offset_ = splat(static_cast<float>(exact_offset_));
         least_det_ = splat(least_slope * sum_abs(normal_) * dir_reach_);
-        has_plane_ = true;
+        has_offset_ = true;
     }
 
     const TriangleSetup &triangle_;
+    const ExactPlane &plane_;
     const Point3 &org_;
     float dir_reach_;
     Points u_, v_, n_;
+    Point3 normal_;
     Floats margin_;
-    bool has_plane_ = false;
-    ExactPlane exact_{};
+    bool has_offset_ = false;
     double exact_offset_ = 0.0;
-    Point3 normal_{};
-    Points plane_n_;
-    Floats offset_, least_det_;
+    Floats offset_ = hn::Zero(floats), least_det_ = hn::Zero(floats);
 };
 
 /// A triangle for rays that start anywhere.
@@ -139,14 +171,17 @@ public:
         a_ = splat({triangle.corners[0], triangle.corners[1], triangle.corners[2]});
         e1_ = splat(triangle.e1);
         e2_ = splat(triangle.e2);
-        n_ = splat(triangle.n);
-        margin_ = splat(filter_error * dir_reach * triangle.edge_reach * (reach + triangle.edge_reach) + least_margin);
+        n_ = splat(cross(triangle.e1, triangle.e2));
+        const float e = triangle.edge_reach;
+        margin_ = splat(from_anywhere_error * dir_reach * e * (reach + 2.0f * e) + least_margin);
+        margin_per_q_ = splat(from_anywhere_cross_error * e);
     }
 
     [[nodiscard]] HWY_INLINE FilterResult filter(const Points &org, const Points &dir) const {
         const Points s = {org.x - a_.x, org.y - a_.y, org.z - a_.z};
         const Points q = {dir.y * s.z - dir.z * s.y, dir.z * s.x - dir.x * s.z, dir.x * s.y - dir.y * s.x};
-        return judge(dot(n_, dir), dot(e2_, q), hn::Neg(dot(e1_, q)), margin_);
+        const Floats margin = margin_ + margin_per_q_ * sum_abs(q);
+        return judge(dot(n_, dir), dot(e2_, q), hn::Neg(dot(e1_, q)), margin);
     }
 
     /// Distances as intersect() has them where the filter is certain; `lanes` are those that matter.
@@ -159,7 +194,7 @@ public:
         };
         const DoubleLanes x = promote(org.x), y = promote(org.y), z = promote(org.z);
         const DoubleLanes offset = {offsets(x.lower, y.lower, z.lower), offsets(x.upper, y.upper, z.upper)};
-        const Point3 n = plane.normal();
+        const Point3 n = plane.n.rounded();
         const Floats det = dot(splat(n), dir);
         const Floats t = demote(offset) / det;
         const FloatMask grazing = hn::Lt(hn::Abs(det), splat(least_slope * sum_abs(n)) * max_abs(dir));
@@ -173,7 +208,7 @@ private:
     const TriangleSetup &triangle_;
     float dir_reach_;
     Points a_, e1_, e2_, n_;
-    Floats margin_;
+    Floats margin_, margin_per_q_;
 };
 
 } // namespace glint::HWY_NAMESPACE
