@@ -30,7 +30,8 @@ struct SurfaceShading {
 struct LightShading {
     Point position;
     Color emission;   ///< L
-    uint32_t surface; ///< its own mesh, which does not block its shadow rays
+    /// Its own mesh, which does not block its shadow rays: so many triangles from this one on.
+    uint32_t first_triangle, triangle_count;
 };
 
 /// Everything a kernel reads, by pointers that the render's caller keeps alive.

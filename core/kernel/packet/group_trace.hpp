@@ -7,13 +7,10 @@
 
 namespace glint::HWY_NAMESPACE {
 
-/// No surface: see TraceQuestion.
-inline constexpr uint32_t no_surface = UINT32_MAX;
-
 /// What is asked of a ray: the closest hit, or whether there is any. Shadow rays pass through their light's own mesh.
 struct TraceQuestion {
     const GeometryView &geometry;
-    uint32_t passed_surface = no_surface;
+    uint32_t first_passed = 0, passed_count = 0; ///< triangles that do not block
 };
 
 /// After this many triangles in a group's beam it pays to look at each block's own beam first.
@@ -207,10 +204,7 @@ private:
         uint32_t &seen = seen_[id % seen_slots];
         if (seen == id) return;
         seen = id;
-        if (any_hit && question_.passed_surface != no_surface &&
-            question_.geometry.surfaces[id].surface == question_.passed_surface) {
-            return;
-        }
+        if (any_hit && id - question_.first_passed < question_.passed_count) return;
         COUNT(0);
         const TriangleSetup triangle(words, count, i);
         const ExactPlane plane(triangle);

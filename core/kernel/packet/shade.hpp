@@ -239,7 +239,7 @@ HWY_INLINE uint32_t add_light(const KernelScene &scene, const LightShading &ligh
         reached.add(ray, facing);
     });
     const uint32_t count = reached.count();
-    trace<true, true>(TraceQuestion{scene.geometry, light.surface}, shadow, reached, work.beams->shadow,
+    trace<true, true>(TraceQuestion{scene.geometry, light.first_triangle, light.triangle_count}, shadow, reached, work.beams->shadow,
                       RayKind::shadow);
     const Points emission = points_of(light.emission);
     for_each_vector(reached, [&](uint32_t ray, uint32_t lanes) {

@@ -79,6 +79,7 @@ public:
                 } else if (t_first < t_near) {
                     index = second;
                 } else {
+                    __builtin_prefetch(geometry.nodes + second);
                     stack[pending++] = {second, larger(t_second, t_near), t_far};
                     index = first;
                     t_far = smaller(t_first, t_far);
@@ -139,10 +140,7 @@ private:
         if (!certain) SCOUNT(4);
         const uint32_t id = words[9 * count + i];
         if (id == left_) return;
-        if (any_hit && question_.passed_surface != no_surface &&
-            question_.geometry.surfaces[id].surface == question_.passed_surface) {
-            return;
-        }
+        if (any_hit && id - question_.first_passed < question_.passed_count) return;
         const TriangleSetup triangle(words, count, i);
         float t = 0.0f;
         if (certain) {
