@@ -14,7 +14,7 @@ int main(int count, char **arguments) {
     if (count < 2) return std::fputs("usage: glint_compare_rays RAYS [THREADS]\n", stderr), 2;
     const double rays = std::atof(arguments[1]);
     const unsigned threads = count > 2 ? static_cast<unsigned>(std::atoi(arguments[2])) : 1;
-    constexpr double rays_a_batch = 250.0;
+    constexpr double rays_a_batch = 215.0;
     const std::vector<NamedMesh> meshes = all_meshes();
     const auto batches = static_cast<uint32_t>(1.0 + rays / rays_a_batch / static_cast<double>(meshes.size()));
 
