@@ -16,12 +16,6 @@ struct TraceQuestion {
 /// After this many triangles in a group's beam it pays to look at each block's own beam first.
 inline constexpr uint32_t block_beams_after = 3;
 
-#ifdef COUNTING
-extern "C" unsigned long long glint_counts[3][16];
-#define COUNT(i) (++glint_counts[shares_origin ? any_hit ? 1 : 0 : 2][i])
-#else
-#define COUNT(i) ((void)0)
-#endif
 template <bool shares_origin, bool any_hit> class GroupTrace {
 public:
     /// `rays` holds what RayGroup says; of the selected rays those that are hit are deselected where any hit will do.
@@ -34,7 +28,6 @@ public:
           corners_{hn::Zero(floats), hn::Zero(floats), hn::Zero(floats)} {
         for (uint32_t &id : seen_) id = no_triangle;
         reach_ = beam.slack * 0x1p20f;
-        COUNT(4);
         if (ends) {
             ends_ = *ends;
             has_ends_ = true;
@@ -57,8 +50,7 @@ public:
         const BeamAxes &axes = beam_.axes;
         while (true) {
             const KdNode node = geometry.nodes[index];
-            COUNT(5);
-            if (++steps_ > budget) { COUNT(6); return false; }
+            if (++steps_ > budget) return false;
             if (!node.is_leaf()) {
                 const auto axis = static_cast<int>(node.axis());
                 const uint32_t lower = index + 1, upper = node.upper_child();
@@ -166,7 +158,6 @@ private:
         dirty_blocks_ = 0;
         for (uint32_t first = 0; first < count; first += lane_count) {
             const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
-            COUNT(7);
             const BeamCorners corners(beam_.axes, words, count, first);
             uint32_t entered = triangles_in_beam(beam_, corners) & valid;
             if (entered == 0) continue;
@@ -205,13 +196,11 @@ private:
         if (seen == id) return;
         seen = id;
         if (any_hit && id - question_.first_passed < question_.passed_count) return;
-        COUNT(0);
         const TriangleSetup triangle(words, count, i);
         const ExactPlane plane(triangle);
         if constexpr (shares_origin && any_hit) {
             if (all_end_before(triangle, plane)) return;
         }
-        COUNT(1);
         if constexpr (shares_origin) {
             if (tested_ == 0) {
                 corners_ = corner_directions(beam_);
@@ -280,12 +269,10 @@ private:
             const uint32_t lanes = (bits >> part) & all_lanes;
             if (lanes == 0) continue;
             const uint32_t ray = block * block_size + part;
-            COUNT(2);
             const FilterResult result = filter(ray);
             const uint32_t possible = bits_of(result.possible) & lanes & ~lanes_that_left(triangle, ray);
             if (possible == 0) continue;
             const uint32_t certain = bits_of(result.certain) & possible;
-            COUNT(3);
             Floats t = distances(ray, certain);
             if (certain != possible) t = with_exact_distances(triangle, ray, possible & ~certain, t);
             take_nearer(triangle, ray, possible, t);

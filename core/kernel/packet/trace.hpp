@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/kernel.hpp"
-#include "kernel/packet/single_trace.hpp"
+#include "kernel/packet/block_trace.hpp"
 
 namespace glint::HWY_NAMESPACE {
 
@@ -10,6 +10,8 @@ namespace glint::HWY_NAMESPACE {
 inline constexpr float widest_beam = 4.0f;
 /// Fewer rays than this are not worth a beam.
 inline constexpr uint32_t fewest_in_beam = 4;
+/// Fewer rays than this are traced singly rather than in step.
+inline constexpr uint32_t fewest_in_step = 3;
 /// Steps that a beam may take before it is taken apart, for a group, a quarter of one, a block. Measured: see
 /// docs/performance.md.
 inline constexpr uint32_t beam_budget[3] = {1600, 450, 156};
@@ -23,21 +25,33 @@ HWY_INLINE void note(BeamHistory &history, int size, bool succeeded) {
     history.failures[size] = static_cast<uint8_t>(failures < 0 ? 0 : failures > 8 ? 8 : failures);
 }
 
+/// Rays of a block that go the same way in step, others singly.
 template <bool shares_origin, bool any_hit>
-HWY_NOINLINE void trace_singly(const TraceQuestion &question, RayGroup &rays, RaySelection &selection) {
-    for (uint32_t block = 0; block < block_count; ++block) {
-        for (uint32_t bits = selection.blocks[block]; bits != 0; bits &= bits - 1) {
-            const uint32_t lane = lowest_bit(bits), i = block * block_size + lane;
-            const Point3 org = shares_origin ? rays.shared_origin : Point3{rays.org_x[i], rays.org_y[i], rays.org_z[i]};
-            SingleTrace<any_hit> trace(question, rays, i, org);
-            if (!trace.run()) continue;
-            if constexpr (any_hit) {
-                selection.remove(block * block_size, 1u << lane);
-            } else {
-                rays.t[i] = trace.t();
-                rays.triangle_id[i] = trace.triangle_id();
+HWY_NOINLINE void trace_apart(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, uint32_t block) {
+    const uint32_t first_ray = block * block_size;
+    for (uint32_t waiting = selection.blocks[block]; waiting != 0;) {
+        const uint32_t lane = lowest_bit(waiting), i = first_ray + lane;
+        const uint32_t together = waiting & rays_of_same_signs(rays, block, i);
+        waiting &= ~together;
+        uint32_t hits = 0;
+        if (static_cast<uint32_t>(__builtin_popcount(together)) >= fewest_in_step) {
+            BlockTrace<shares_origin, any_hit> trace(question, rays, block);
+            hits = trace.run(together);
+        } else {
+            for (uint32_t rest = together; rest != 0; rest &= rest - 1) {
+                const uint32_t l = lowest_bit(rest), r = first_ray + l;
+                const Point3 org =
+                    shares_origin ? rays.shared_origin : Point3{rays.org_x[r], rays.org_y[r], rays.org_z[r]};
+                SingleTrace<any_hit> trace(question, rays, r, org);
+                if (!trace.run()) continue;
+                hits |= 1u << l;
+                if constexpr (!any_hit) {
+                    rays.t[r] = trace.t();
+                    rays.triangle_id[r] = trace.triangle_id();
+                }
             }
         }
+        if constexpr (any_hit) selection.remove(first_ray, hits);
     }
 }
 
@@ -99,7 +113,7 @@ HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelect
                 RaySelection one{};
                 one.blocks[block] = part.blocks[block];
                 if (!trace_beam<shares_origin, any_hit>(question, rays, one, 2, history, RayKind::any)) {
-                    trace_singly<shares_origin, any_hit>(question, rays, one);
+                    trace_apart<shares_origin, any_hit>(question, rays, one, block);
                 }
                 part.blocks[block] = one.blocks[block];
             }
