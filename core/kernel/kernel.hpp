@@ -74,7 +74,7 @@ struct PendingRay {
 /// How beams of rays fared lately, by their size, so that scenes that are too fine for beams do not pay for trying. Decides
 /// how rays are traced, never what they hit.
 struct BeamHistory {
-    uint8_t failures[3], skipped[3];
+    uint8_t failures[2], skipped[2]; ///< of groups, of quarters of groups
 };
 struct BeamHistories {
     BeamHistory primary, shadow, secondary;

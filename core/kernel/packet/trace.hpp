@@ -1,4 +1,4 @@
-// Chooses how the rays of a group are traced: all together, block by block, or one by one.
+// Chooses how the rays of a group are traced: all together, block by block, or in step, or one by one.
 #pragma once
 
 #include "kernel/kernel.hpp"
@@ -12,9 +12,8 @@ inline constexpr float widest_beam = 4.0f;
 inline constexpr uint32_t fewest_in_beam = 4;
 /// Fewer rays than this are traced singly rather than in step.
 inline constexpr uint32_t fewest_in_step = 3;
-/// Steps that a beam may take before it is taken apart, for a group, a quarter of one, a block. Measured: see
-/// docs/performance.md.
-inline constexpr uint32_t beam_budget[3] = {1600, 450, 156};
+/// Steps that a beam may take before it is taken apart: a group's, a quarter's. Measured: see docs/performance.md.
+inline constexpr uint32_t beam_budget[2] = {1600, 450};
 
 /// After some failures only every eighth beam of a size is tried.
 HWY_INLINE bool worth_trying(BeamHistory &history, int size) {
@@ -100,7 +99,7 @@ template <bool shares_origin, bool any_hit>
 HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, BeamHistory &history,
                         RayKind kind = RayKind::any) {
     if (selection.empty() || trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, kind)) return;
-    // Quarters of 2 x 2 blocks, then blocks, then rays.
+    // Quarters of 2 x 2 blocks, then blocks.
     for (uint32_t quarter = 0; quarter < 4; ++quarter) {
         const uint32_t corner = quarter / 2 * 8 + quarter % 2 * 2;
         const uint32_t blocks[4] = {corner, corner + 1, corner + 4, corner + 5};
@@ -108,15 +107,7 @@ HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelect
         for (const uint32_t block : blocks) part.blocks[block] = selection.blocks[block];
         if (part.empty()) continue;
         if (!trace_beam<shares_origin, any_hit>(question, rays, part, 1, history, RayKind::any)) {
-            for (const uint32_t block : blocks) {
-                if (part.blocks[block] == 0) continue;
-                RaySelection one{};
-                one.blocks[block] = part.blocks[block];
-                if (!trace_beam<shares_origin, any_hit>(question, rays, one, 2, history, RayKind::any)) {
-                    trace_apart<shares_origin, any_hit>(question, rays, one, block);
-                }
-                part.blocks[block] = one.blocks[block];
-            }
+            for (const uint32_t block : blocks) trace_apart<shares_origin, any_hit>(question, rays, part, block);
         }
         if constexpr (any_hit) {
             for (const uint32_t block : blocks) selection.blocks[block] = part.blocks[block];
