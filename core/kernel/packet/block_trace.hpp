@@ -1,5 +1,6 @@
-// Up to 16 rays that go through the kd-tree in step, each with its own interval: for blocks whose rays are too far apart
-// for a beam, but still meet many of the same nodes (Wald et al. 2001, "Interactive rendering with coherent ray tracing").
+// Up to 16 rays that go through the kd-tree in step, each with its own interval: for blocks whose rays are too far
+// apart for a beam, but still meet many of the same nodes (Wald et al. 2001, "Interactive rendering with coherent ray
+// tracing").
 #pragma once
 
 #include "kernel/packet/single_trace.hpp"
@@ -11,8 +12,8 @@ public:
     HWY_INLINE BlockTrace(const TraceQuestion &question, RayGroup &rays, uint32_t block)
         : question_(question), rays_(rays), first_ray_(block * block_size) {}
 
-    /// Traces those rays of the block that `bits` names, whose directions must agree in all signs. Returns which of them
-    /// were hit.
+    /// Traces those rays of the block that `bits` names, whose directions must agree in all signs. Returns which of
+    /// them were hit.
     HWY_INLINE uint32_t run(uint32_t bits) {
         const GeometryView &geometry = question_.geometry;
         hits_ = 0;
@@ -29,8 +30,10 @@ public:
                 Step &later = stack_[pending];
                 uint32_t enters_first = 0, enters_second = 0;
                 for (uint32_t part = 0; part < block_size; part += lane_count) {
-                    const Floats near_part = hn::Load(floats, now.near + part), far_part = hn::Load(floats, now.far + part);
-                    const Floats t_split = (splat(node.split()) - org(axis, part)) * hn::Load(floats, inverse_[axis] + part);
+                    const Floats near_part = hn::Load(floats, now.near + part),
+                                 far_part = hn::Load(floats, now.far + part);
+                    const Floats t_split =
+                        (splat(node.split()) - org(axis, part)) * hn::Load(floats, inverse_[axis] + part);
                     const Floats slack = hn::Load(floats, slack_[axis] + part);
                     const Floats first_far = hn::Min(far_part, t_split + slack);
                     const Floats second_near = hn::Max(near_part, t_split - slack);
@@ -127,7 +130,8 @@ private:
         for (uint32_t part = 0; part < block_size; part += lane_count) {
             Floats near_part = hn::Zero(floats), far_part = hn::Load(floats, end_ + part);
             for (uint32_t axis = 0; axis < 3; ++axis) {
-                const Floats inverse = hn::Load(floats, inverse_[axis] + part), slack = hn::Load(floats, slack_[axis] + part);
+                const Floats inverse = hn::Load(floats, inverse_[axis] + part),
+                             slack = hn::Load(floats, slack_[axis] + part);
                 const Floats t_lo = (splat(lo[axis]) - org(axis, part)) * inverse;
                 const Floats t_hi = (splat(hi[axis]) - org(axis, part)) * inverse;
                 near_part = hn::Max(near_part, hn::Min(t_lo, t_hi) - slack);
@@ -142,8 +146,8 @@ private:
     HWY_INLINE void visit_leaf(const KdNode &node, uint32_t active) {
         for (; active != 0; active &= active - 1) {
             const uint32_t lane = lowest_bit(active), i = first_ray_ + lane;
-            const Point3 o = shares_origin ? rays_.shared_origin
-                                           : Point3{rays_.org_x[i], rays_.org_y[i], rays_.org_z[i]};
+            const Point3 o =
+                shares_origin ? rays_.shared_origin : Point3{rays_.org_x[i], rays_.org_y[i], rays_.org_z[i]};
             const Point3 d = {rays_.dir_x[i], rays_.dir_y[i], rays_.dir_z[i]};
             float t = rays_.t[i];
             uint32_t id = rays_.triangle_id[i];

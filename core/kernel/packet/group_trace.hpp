@@ -34,8 +34,8 @@ public:
         }
     }
 
-    /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so far
-    /// stands, and makes the next attempt with fewer rays cheaper.
+    /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so
+    /// far stands, and makes the next attempt with fewer rays cheaper.
     HWY_INLINE bool run(uint32_t budget) {
         const GeometryView &geometry = question_.geometry;
         Cell cell = root_cell(geometry.bounds);
@@ -217,17 +217,18 @@ private:
                 return;
             }
             for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
-                test_block(triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); },
-                           distances);
+                test_block(
+                    triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); }, distances);
             }
         } else {
             const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
             for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
-                test_block(triangle, lowest_bit(blocks),
-                           [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
-                           [&](uint32_t ray, uint32_t lanes) {
-                               return test.distances(rays_.org(ray), rays_.dir(ray), lanes);
-                           });
+                test_block(
+                    triangle, lowest_bit(blocks),
+                    [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
+                    [&](uint32_t ray, uint32_t lanes) {
+                        return test.distances(rays_.org(ray), rays_.dir(ray), lanes);
+                    });
             }
         }
     }
@@ -255,8 +256,8 @@ private:
         const double at_ends = least(plane.n.x, ends_.lo.x - triangle.corners[0], ends_.hi.x - triangle.corners[0]) +
                                least(plane.n.y, ends_.lo.y - triangle.corners[1], ends_.hi.y - triangle.corners[1]) +
                                least(plane.n.z, ends_.lo.z - triangle.corners[2], ends_.hi.z - triangle.corners[2]);
-        // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max and
-        // the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
+        // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max
+        // and the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
         const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_.way + ends_.reach) +
                               double(0x1p-46f * triangle.edge_reach) * triangle.edge_reach * reach_;
         return at_origin * side > margin && at_ends > margin;

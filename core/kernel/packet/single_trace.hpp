@@ -25,12 +25,12 @@ struct SingleRay {
     }
 };
 
-/// One ray against the triangles of a leaf. `dir_reach` and `reach` are at least the largest coordinate of the direction
-/// and of the way from the origin to any corner. Lowers best_t and sets best_id where something nearer is hit, or as near
-/// with a lower id; where any hit will do, stops at the first. Returns whether there was one.
-template <bool any_hit>
-HWY_INLINE bool hit_leaf(const TraceQuestion &question, const KdNode &node, const Point3 &org, const Point3 &dir,
-                         float dir_reach, float reach, uint32_t left, float &best_t, uint32_t &best_id) {
+/// One ray against the triangles of a leaf. `dir_reach` and `reach` are at least the largest coordinate of the
+/// direction and of the way from the origin to any corner. Lowers best_t and sets best_id where something nearer is
+/// hit, or as near with a lower id; where any hit will do, stops at the first. Returns whether there was one.
+template <bool any_hit> HWY_INLINE bool hit_leaf(const TraceQuestion &question, const KdNode &node, const Point3 &org,
+                                                 const Point3 &dir, float dir_reach, float reach, uint32_t left,
+                                                 float &best_t, uint32_t &best_id) {
     const uint32_t count = node.reference_count();
     const uint32_t *words = question.geometry.leaf_words + words_per_reference * size_t{node.first_reference()};
     const Points o = splat(org), d = splat(dir);

@@ -1,4 +1,4 @@
-// Chooses how the rays of a group are traced: all together, block by block, or in step, or one by one.
+// Chooses how the rays of a group are traced: all together, a quarter at a time, in step block by block, or one by one.
 #pragma once
 
 #include "kernel/kernel.hpp"
@@ -66,9 +66,9 @@ enum class RayKind {
 };
 
 /// Traces the selected rays as one beam; false where that does not pay.
-template <bool shares_origin, bool any_hit>
-HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, int size,
-                             BeamHistory &history, RayKind kind) {
+template <bool shares_origin, bool any_hit> HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays,
+                                                                         RaySelection &selection, int size,
+                                                                         BeamHistory &history, RayKind kind) {
     if (!worth_trying(history, size) || selection.count() < fewest_in_beam) return false;
     const Box &bounds = question.geometry.bounds;
     Beam beam;
@@ -87,17 +87,17 @@ HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays, RayS
             beam.z_end = group_end<shares_origin>(rays, selection, beam);
         }
     }
-    const bool done = one_way && width_of(beam) <= widest_beam &&
-                      GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, known_ends)
-                          .run(beam_budget[size]);
+    const bool done =
+        one_way && width_of(beam) <= widest_beam &&
+        GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, known_ends).run(beam_budget[size]);
     note(history, size, done);
     return done;
 }
 
 /// Traces the selected rays. Those that are hit are deselected where any hit will do.
-template <bool shares_origin, bool any_hit>
-HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, BeamHistory &history,
-                        RayKind kind = RayKind::any) {
+template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays,
+                                                                    RaySelection &selection, BeamHistory &history,
+                                                                    RayKind kind = RayKind::any) {
     if (selection.empty() || trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, kind)) return;
     // Quarters of 2 x 2 blocks, then blocks.
     for (uint32_t quarter = 0; quarter < 4; ++quarter) {
