@@ -41,6 +41,7 @@ LIBRARIES = {
     "glm/": ("core", "scenes"),
     "tiny_obj_loader.h": ("core/mesh",),
     "xxhash.h": ("core/image",),
+    "hwy/": ("core/kernel",),
     "OpenImageIO/": ("core/imageio",),
     "EGL/": ("platform/egl",),
     "GLES2/": ("platform/gles",),
