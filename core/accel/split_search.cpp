@@ -18,10 +18,9 @@ void SplitSearch::begin(const Box &occupied, size_t reference_count) {
     occupied_ = occupied;
     references_ = static_cast<int32_t>(reference_count);
     bin_count_ = cost_.may_pay(references_) ? bins_for(references_) : 0;
-    for (Axis &axis : axes_) {
+    for (Bin *bins : {bins_[0], bins_[1], bins_[2]}) {
         constexpr float infinity = std::numeric_limits<float>::infinity();
-        std::fill_n(axis.bins, bin_count_, Bin{0, 0, infinity, -infinity});
-        axis.in_low_face = axis.in_high_face = 0;
+        std::fill_n(bins, bin_count_, Bin{0, 0, infinity, -infinity});
     }
 }
 
@@ -34,43 +33,32 @@ void SplitSearch::add(std::span<const Reference> references) {
         scale[k] = extent > 1e-30f ? static_cast<float>(bin_count_) / extent : 0.0f;
     }
     const auto last_bin = static_cast<float>(bin_count_ - 1);
-    int32_t in_low_face[3] = {}, in_high_face[3] = {}; // here and not in *this: in registers
-    const Box occupied = occupied_;
     for (const Reference &reference : references) {
         const float *const bounds = &reference.bounds.lo.x;
         int32_t bin[6];
         for (int k = 0; k < 6; ++k) bin[k] = static_cast<int32_t>(std::min((bounds[k] - base[k]) * scale[k], last_bin));
         for (int k = 0; k < 3; ++k) {
-            Axis &axis = axes_[k];
             const float lo = bounds[k], hi = bounds[k + 3];
-            Bin &begin = axis.bins[bin[k]];
+            Bin &begin = bins_[k][bin[k]];
             ++begin.begins;
             begin.first_begin = std::min(begin.first_begin, lo);
-            Bin &end = axis.bins[bin[k + 3]];
+            Bin &end = bins_[k][bin[k + 3]];
             ++end.ends;
             end.last_end = std::max(end.last_end, hi);
-            in_low_face[k] += hi <= component(occupied.lo, k);
-            in_high_face[k] += lo >= component(occupied.hi, k);
         }
-    }
-    for (int k = 0; k < 3; ++k) {
-        axes_[k].in_low_face += in_low_face[k];
-        axes_[k].in_high_face += in_high_face[k];
     }
 }
 
 void SplitSearch::add(const SplitSearch &other) {
     for (int k = 0; k < 3; ++k) {
-        Axis &axis = axes_[k];
-        const Axis &others = other.axes_[k];
         for (int32_t i = 0; i < bin_count_; ++i) {
-            axis.bins[i].begins += others.bins[i].begins;
-            axis.bins[i].ends += others.bins[i].ends;
-            axis.bins[i].first_begin = std::min(axis.bins[i].first_begin, others.bins[i].first_begin);
-            axis.bins[i].last_end = std::max(axis.bins[i].last_end, others.bins[i].last_end);
+            Bin &bin = bins_[k][i];
+            const Bin &others = other.bins_[k][i];
+            bin.begins += others.begins;
+            bin.ends += others.ends;
+            bin.first_begin = std::min(bin.first_begin, others.first_begin);
+            bin.last_end = std::max(bin.last_end, others.last_end);
         }
-        axis.in_low_face += others.in_low_face;
-        axis.in_high_face += others.in_high_face;
     }
 }
 
@@ -98,16 +86,9 @@ void SplitSearch::offer_planes(Split &best, int axis, const Slices &slices) cons
     if (hi < slices.hi) offer(hi, true, references_, 0);
     if (bin_count_ == 0) return;
 
-    const Axis &counted = axes_[axis];
-    if (counted.in_low_face > 0 && lo < slices.hi) {
-        offer(lo, true, counted.in_low_face, references_ - counted.in_low_face);
-    }
-    if (counted.in_high_face > 0 && slices.lo < hi) {
-        offer(hi, false, references_ - counted.in_high_face, counted.in_high_face);
-    }
     int32_t begun = 0, ended = 0; // before this bin
     for (int32_t i = 0; i < bin_count_; ++i) {
-        const Bin &bin = counted.bins[i];
+        const Bin &bin = bins_[axis][i];
         // Where all that ends in the bin does so before anything begins there, both planes are clear of the others.
         const bool apart = bin.last_end <= bin.first_begin;
         if (bin.ends > 0 && bin.last_end < slices.hi) {
