@@ -1,4 +1,5 @@
 // Instruction sets by name, and that the one asked for is the one that traces.
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
