@@ -56,7 +56,7 @@ Json to_json(const FrameReport &report, const FrameCell &cell) {
             {"ratio", cell.ratio()},
             {"differing_pixels", cell.difference.differing},
             {"same_picture", cell.difference.same_picture()},
-            {"peer_kernel", report.comparison.peer_kernel},
+            {"peer_kernel", cell.peer_kernel},
             {"frames", cell.frames},
             {"glint_spread_ms", to_json(cell.glint_ms)},
             {"peer_spread_ms", to_json(cell.peer_ms)}};

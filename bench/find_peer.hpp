@@ -9,8 +9,8 @@
 
 namespace glint::bench {
 
-/// "embree" is all there is. Fails with bad_input for any other name, and with unsupported, saying what to install, where
-/// Glint was built without it. The peer lives as long as the program.
+/// "embree" is all there is. Fails with bad_input for any other name, and with unsupported, saying what to install,
+/// where Glint was built without it. The peer lives as long as the program.
 [[nodiscard]] Result<const Peer *> find_peer(std::string_view name);
 
 } // namespace glint::bench

@@ -87,7 +87,6 @@ Result<FrameComparison> compare_frames(const std::shared_ptr<const Accel> &accel
         const auto theirs = processor.start_others([&] { return peer.renderer(scene, options.isa, threads); });
         if (!theirs) return theirs.error();
         comparison.isa = isa_name(ours->isa());
-        comparison.peer_kernel = (*theirs)->kernel();
 
         Contest contest(*ours, **theirs);
         for (const uint32_t size_px : options.sizes_px) {
@@ -96,6 +95,7 @@ Result<FrameComparison> compare_frames(const std::shared_ptr<const Accel> &accel
                 Result<FrameCell> cell = contest.measure(size_px, depth, options.min_seconds);
                 if (!cell) return cell.error();
                 cell->threads = ours->threads();
+                cell->peer_kernel = (*theirs)->kernel();
                 comparison.cells.push_back(std::move(*cell));
             }
         }

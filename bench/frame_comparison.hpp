@@ -33,7 +33,8 @@ struct FrameCell {
     uint32_t height_px = 0;
     uint32_t depth = 0;
     unsigned threads = 0;
-    uint64_t frames = 0; ///< of each
+    std::string peer_kernel; ///< how the peer traced, in its own words
+    uint64_t frames = 0;     ///< of each
     Summary glint_ms;
     Summary peer_ms;
     PictureDifference difference;
@@ -43,8 +44,7 @@ struct FrameCell {
 };
 
 struct FrameComparison {
-    std::string isa;         ///< that Glint ran with
-    std::string peer_kernel; ///< how the peer traced, in its own words
+    std::string isa; ///< that Glint ran with
     std::vector<FrameCell> cells;
 };
 

@@ -55,8 +55,8 @@ struct ClassRow {
     [[nodiscard]] double ratio() const { return glint_mrays / peer_mrays; }
 };
 
-/// Measures every class that has rays. Peer and Glint take turns of some ten thousand rays; the peer with the fastest of
-/// its ways, found beforehand. Fails as the peer does.
+/// Measures every class that has rays. Peer and Glint take turns of some ten thousand rays; the peer with the fastest
+/// of its ways, found beforehand. Fails as the peer does.
 [[nodiscard]] Result<std::vector<ClassRow>> compare_kernels(const std::shared_ptr<const Accel> &accel,
                                                             const Viewpoint &viewpoint, const Peer &peer,
                                                             const KernelComparisonOptions &options);

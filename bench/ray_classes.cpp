@@ -167,8 +167,8 @@ std::vector<RaySet> make_ray_classes(const Scene &scene, const RayQuery &query, 
     for (size_t i = 0; i < primary.size(); ++i) {
         if (answers.triangle_id[i] == no_triangle) continue;
         later.add({primary.org_x[i], primary.org_y[i], primary.org_z[i]},
-                  {primary.dir_x[i], primary.dir_y[i], primary.dir_z[i]}, answers.t[i],
-                  normals[answers.triangle_id[i]], viewpoint.light);
+                  {primary.dir_x[i], primary.dir_y[i], primary.dir_z[i]}, answers.t[i], normals[answers.triangle_id[i]],
+                  viewpoint.light);
     }
     std::vector<RaySet> classes;
     classes.push_back(std::move(primary));

@@ -19,9 +19,9 @@ struct Viewpoint {
 
 /// The scene's own camera and its first light's centroid. The scene has a light.
 [[nodiscard]] Viewpoint viewpoint_of(const Scene &scene);
-/// A square camera that sees the scene from direction (0.3, 0.4, 1) under 45 degrees so that it fills four fifths of the
-/// height (or all of the width, where that comes first), and a light at two radii of its bounding sphere in direction
-/// (1, 1.5, 1), unnormalised.
+/// A square camera that sees the scene from direction (0.3, 0.4, 1) under 45 degrees so that it fills four fifths of
+/// the height (or all of the width, where that comes first), and a light at two radii of its bounding sphere in
+/// direction (1, 1.5, 1), unnormalised.
 [[nodiscard]] Viewpoint viewpoint_framing(const Scene &scene);
 
 /// The classes, in this order; those after the first are left empty where no primary ray hits anything:

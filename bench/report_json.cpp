@@ -35,9 +35,8 @@ Json to_json(const Table &table, const Row &row) {
 std::string to_json(const Table &table) {
     Json rows = Json::array();
     for (const Row &row : table.rows) rows.push_back(to_json(table, row));
-    return json_text({{"machine", to_json(table.machine, table.gl_description)},
-                      {"scene", table.scene},
-                      {"rows", std::move(rows)}});
+    return json_text(
+        {{"machine", to_json(table.machine, table.gl_description)}, {"scene", table.scene}, {"rows", std::move(rows)}});
 }
 
 } // namespace glint::bench

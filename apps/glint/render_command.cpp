@@ -97,7 +97,8 @@ private:
 
     ExitCode render_and_report() {
         const unsigned threads = options_.threads.value_or(0);
-        Renderer renderer(Accel::build(scene_, {.kind = options_.accel, .threads = threads}), {.threads = threads, .isa = options_.isa});
+        Renderer renderer(Accel::build(scene_, {.kind = options_.accel, .threads = threads}),
+                          {.threads = threads, .isa = options_.isa});
         const bool with_radiance = options_.hash || (target_ && image_needs_radiance(*target_));
         Result<Framebuffer> picture = Framebuffer::create(size_.width_px, size_.height_px, with_radiance);
         if (!picture) return fail(picture.error());

@@ -23,9 +23,9 @@ std::string version_text() {
     return fmt::format("glint {}\n"
                        "compiler          {}\n"
                        "instruction sets  {} (in use: {})\n"
-                       "libraries         GLM {}, {}",
+                       "libraries         GLM {}, Highway {}, {}",
                        build.version, build.compiler, fmt::join(build.isas, ", "), build.isa, build.glm_version,
-                       image_library());
+                       build.highway_version, image_library());
 }
 
 } // namespace glint::cli

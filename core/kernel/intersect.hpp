@@ -17,7 +17,8 @@ inline constexpr double least_det = 0x1p-26;
 /// A ray grazes where the normal's float dot product with it loses more than four bits: where it is below this times
 /// the largest that its terms can be.
 inline constexpr float least_slope = 0x1p-4f;
-/// How far t may be off, relative to itself: 4 eps / least_slope for the dot product, 2 eps for the rest; a little more.
+/// How far t may be off, relative to itself: 4 eps / least_slope for the dot product, 2 eps for the rest; a little
+/// more.
 inline constexpr float distance_error = 0x1p-17f;
 
 namespace detail {
@@ -111,7 +112,8 @@ inline float exact_distance(const PermutedRay &ray, const TriangleCorners &trian
     const bool grazing = std::abs(det) < least_slope * ((std::abs(n.x) + std::abs(n.y)) + std::abs(n.z)) * largest_dir;
     if (inside && !grazing) return static_cast<float>(exact_offset) / det;
 
-    const double exact_det = (exact_n.x * double(ray.dir.x) + exact_n.y * double(ray.dir.y)) + exact_n.z * double(ray.dir.z);
+    const double exact_det =
+        (exact_n.x * double(ray.dir.x) + exact_n.y * double(ray.dir.y)) + exact_n.z * double(ray.dir.z);
     const double reach = std::max(max_abs(e1), max_abs(e2));
     // The normal is good to 2^-52 reach^2 in each component, which moves the point by 2^-50 reach^2 M |dir| / det along
     // the ray: keep that far below slack, which is 2^-20 M.
@@ -150,8 +152,8 @@ inline float intersect(const PreparedRay &ray, const TriangleCorners &triangle) 
     const float v = s.ax * s.cy - s.ay * s.cx;
     const float w = s.bx * s.ay - s.by * s.ax;
     const float least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
-    // Each coordinate is off by at most 6 eps M, hence an edge function by (24 + 16) eps M * reach + 72 (eps M)^2; slack
-    // is 16 eps M.
+    // Each coordinate is off by at most 6 eps M, hence an edge function by (24 + 16) eps M * reach + 72 (eps M)^2;
+    // slack is 16 eps M.
     const float margin = 3.0f * ray.slack * (s.reach() + ray.slack);
     if (least < -margin && most > margin) return NAN;
     return exact_distance(ray, triangle, least > margin || most < -margin);

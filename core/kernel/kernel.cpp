@@ -107,9 +107,9 @@ Result<Isa> find_isa(std::string_view name) {
     }
     bool known = false;
     for (const NamedIsa &named : names) known = known || named.name == name;
-    return Error(ErrorCode::bad_input, (known ? "instruction set '" : "unknown instruction set '") + std::string(name) +
-                                           (known ? "' is not available on this machine; there is: " : "'; there is: ") +
-                                           there);
+    return Error(ErrorCode::bad_input,
+                 (known ? "instruction set '" : "unknown instruction set '") + std::string(name) +
+                     (known ? "' is not available on this machine; there is: " : "'; there is: ") + there);
 }
 
 const Kernel &kernel_for(Isa isa) {

@@ -1,5 +1,5 @@
-// The door to what is compiled per instruction set: a kernel renders a whole tile, from camera rays to bytes, and answers
-// whole batches of rays.
+// The door to what is compiled per instruction set: a kernel renders a whole tile, from camera rays to bytes, and
+// answers whole batches of rays.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +29,9 @@ struct SurfaceShading {
 /// A light as shading needs it.
 struct LightShading {
     Point position;
-    Color emission;   ///< L
-    uint32_t surface; ///< its own mesh, which does not block its shadow rays
+    Color emission; ///< L
+    /// Its own mesh, which does not block its shadow rays: so many triangles from this one on.
+    uint32_t first_triangle, triangle_count;
 };
 
 /// Everything a kernel reads, by pointers that the render's caller keeps alive.
@@ -70,10 +71,10 @@ struct PendingRay {
     uint32_t left_triangle; ///< that it leaves from; no_triangle for a primary ray
 };
 
-/// How beams of rays fared lately, by their size, so that scenes that are too fine for beams do not pay for trying. Decides
-/// how rays are traced, never what they hit.
+/// How beams of rays fared lately, by their size, so that scenes that are too fine for beams do not pay for trying.
+/// Decides how rays are traced, never what they hit.
 struct BeamHistory {
-    uint8_t failures[3], skipped[3];
+    uint8_t failures[2], skipped[2]; ///< of groups, of quarters of groups
 };
 struct BeamHistories {
     BeamHistory primary, shadow, secondary;

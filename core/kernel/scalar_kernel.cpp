@@ -67,7 +67,7 @@ bool light_reaches(const KernelScene &scene, const LightShading &light, const Su
     const glm::vec3 end = offset_point(point, larger(distance, point.scale), 1.0f);
     const Ray ray{light.position, end - light.position};
     const auto can_block = [&](uint32_t triangle_id) {
-        return triangle_id != point.triangle_id && scene.geometry.surfaces[triangle_id].surface != light.surface;
+        return triangle_id != point.triangle_id && triangle_id - light.first_triangle >= light.triangle_count;
     };
     return !any_hit(scene.geometry, PreparedRay(ray, scene.geometry.bounds), shadow_t_max, can_block);
 }

@@ -5,6 +5,8 @@
 
 #include <glint/isa.hpp>
 
+#include "kernel/highway_version.hpp"
+
 #define GLINT_TEXT_OF(x) #x
 #define GLINT_TEXT(x) GLINT_TEXT_OF(x)
 
@@ -23,6 +25,7 @@ BuildInfo build_info() {
 #endif
     info.glm_version = GLINT_TEXT(GLM_VERSION_MAJOR) "." GLINT_TEXT(GLM_VERSION_MINOR) "." GLINT_TEXT(
         GLM_VERSION_PATCH) "." GLINT_TEXT(GLM_VERSION_REVISION);
+    info.highway_version = highway_version();
     for (const Isa isa : available_isas()) info.isas.push_back(isa_name(isa));
     info.isa = isa_name(best_isa());
     return info;

@@ -23,10 +23,14 @@ SurfaceShading shading_of(const Material &material, float ambient_intensity) {
 ShadingTables::ShadingTables(const Accel &accel) : accel_(accel) {
     const Scene &scene = accel.scene();
     for (const Object &object : scene.objects()) surfaces_.push_back(shading_of(object.material, scene.ambient()));
+    uint32_t first_triangle = 0;
+    for (const Object &object : scene.objects()) first_triangle += static_cast<uint32_t>(object.mesh->triangles.size());
     for (size_t i = 0; i < scene.lights().size(); ++i) {
         const MeshLight &light = scene.lights()[i];
         const Color emission = light.color * light.intensity;
-        lights_.push_back({scene.light_centroids()[i], emission, static_cast<uint32_t>(surfaces_.size())});
+        const auto triangle_count = static_cast<uint32_t>(light.mesh->triangles.size());
+        lights_.push_back({scene.light_centroids()[i], emission, first_triangle, triangle_count});
+        first_triangle += triangle_count;
         SurfaceShading shading{};
         shading.is_light = true;
         shading.emission = emission;

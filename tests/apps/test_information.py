@@ -51,6 +51,7 @@ class Version(GlintTest):
         self.assertRegex(out, r"^glint \d+\.\d+\.\d+\n")
         for words in ("compiler", "instruction sets", "in use", "GLM", "OpenImageIO"):
             self.assertIn(words, out)
+        self.assertRegex(out, r"Highway \d+\.\d+\.\d+")
 
 
 class Help(GlintTest):

@@ -41,6 +41,7 @@ LIBRARIES = {
     "glm/": ("core", "scenes"),
     "tiny_obj_loader.h": ("core/mesh",),
     "xxhash.h": ("core/image",),
+    "hwy/": ("core/kernel",),
     "OpenImageIO/": ("core/imageio",),
     "EGL/": ("platform/egl",),
     "GLES2/": ("platform/gles",),
@@ -52,7 +53,7 @@ LIBRARIES = {
     "immintrin.h": ("bench/peers/embree",),
 }
 
-POSIX = {"dlfcn.h", "fcntl.h", "sched.h", "sys/stat.h", "sys/utsname.h", "unistd.h"}
+POSIX = {"dlfcn.h", "fcntl.h", "sched.h", "sys/mman.h", "sys/stat.h", "sys/utsname.h", "unistd.h"}
 STANDARD = re.compile(r"[a-z_]+|std(int|def|bool)\.h")
 # The standard's own ways to print and to catch signals; the core is a guest in somebody's process.
 NOT_FOR_GUESTS = {"iostream", "print", "csignal", "csetjmp", "syncstream"}

@@ -88,7 +88,7 @@ class AMadeUpHouse(unittest.TestCase):
         self.check(public, "<glm/vec3.hpp>", None)
         self.check(public, "<vector>", None)
         self.check(public, '"math/vec.hpp"', "a public header")
-        for library in ("<GLES3/gl3.h>", "<OpenImageIO/imageio.h>", "<immintrin.h>"):
+        for library in ("<GLES3/gl3.h>", "<OpenImageIO/imageio.h>", "<immintrin.h>", "<hwy/highway.h>"):
             self.check(public, library, "is for")
         self.check(public, "<zlib.h>", "an unknown library")
         self.check(public, "<unistd.h>", "every system")

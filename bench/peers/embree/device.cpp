@@ -10,10 +10,13 @@ unsigned widest_for(Isa isa) {
     switch (isa) {
     case Isa::sse4:
     case Isa::neon:
-    case Isa::wasm: return 4;
-    case Isa::avx2: return 8;
+    case Isa::wasm:
+        return 4;
+    case Isa::avx2:
+        return 8;
     case Isa::avx512:
-    case Isa::scalar: break;
+    case Isa::scalar:
+        break;
     }
     return 16;
 }

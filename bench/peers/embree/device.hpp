@@ -31,8 +31,8 @@ struct DeviceIsa {
 /// limit for Isa::scalar, which Embree does not have.
 [[nodiscard]] std::vector<DeviceIsa> isas_within(Isa isa);
 
-/// A device for one instruction set whose builds use `threads` threads (0 = one a processor). Fails with unsupported and
-/// Embree's error code.
+/// A device for one instruction set whose builds use `threads` threads (0 = one a processor). Fails with unsupported
+/// and Embree's error code.
 [[nodiscard]] Result<Device> open_device(const char *isa, unsigned threads);
 
 /// "Embree 3.13.5"

@@ -25,7 +25,7 @@ SceneHandle SharedMeshes::build(RTCDevice device, const TreeKind &kind) const {
     for (uint32_t s = 0; s < surfaces_.size(); ++s) {
         const Surface &surface = surfaces_[s];
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetGeometryBuildQuality(geometry, kind.quality);
+        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH); // is used in a tree of trees only
         rtcSetGeometryMask(geometry, surface.mask);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, surface.positions.data(), 0,
                                    sizeof(Point), surface.positions.size() - 1);

@@ -29,10 +29,14 @@ struct Way {
 template <template <int> class Query>
 std::unique_ptr<PeerQuery> packets_of(unsigned width, const RaySet &rays, const Target &target) {
     switch (width) {
-    case 4: return std::make_unique<Query<4>>(rays, target);
-    case 8: return std::make_unique<Query<8>>(rays, target);
-    case 16: return std::make_unique<Query<16>>(rays, target);
-    default: return std::make_unique<Query<1>>(rays, target);
+    case 4:
+        return std::make_unique<Query<4>>(rays, target);
+    case 8:
+        return std::make_unique<Query<8>>(rays, target);
+    case 16:
+        return std::make_unique<Query<16>>(rays, target);
+    default:
+        return std::make_unique<Query<1>>(rays, target);
     }
 }
 
@@ -62,8 +66,7 @@ public:
     [[nodiscard]] std::unique_ptr<PeerQuery> query(const RaySet &rays, size_t index) const override {
         const Way &way = ways_[index];
         const Target target{way.scene, meshes_,
-                            way.coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                         : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT};
+                            way.coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT};
         if (rays.question == RayQuestion::any_hit) {
             if (way.width == stream) return std::make_unique<AnyHitStream>(rays, target);
             return packets_of<AnyHitQuery>(way.width, rays, target);

@@ -36,13 +36,14 @@ public:
 
 protected:
     static auto &ray_part(Packet &packet) {
-        if constexpr (requires { packet.hit; }) return packet.ray;
-        else return packet;
+        if constexpr (requires { packet.hit; })
+            return packet.ray;
+        else
+            return packet;
     }
 
     /// Calls trace_packet(valid, packet) for each packet of these rays.
-    template <typename TracePacket>
-    void for_each_packet(size_t first, size_t count, const TracePacket &trace_packet) {
+    template <typename TracePacket> void for_each_packet(size_t first, size_t count, const TracePacket &trace_packet) {
         alignas(64) int valid[N];
         std::fill_n(valid, N, -1);
         const FlushDenormals mode;

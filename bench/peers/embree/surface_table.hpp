@@ -14,7 +14,7 @@ namespace glint::bench::embree {
 /// Floats on a boundary of 64 bytes, not initialised.
 class AlignedFloats {
 public:
-    explicit AlignedFloats(uint64_t count) : floats_(new (std::align_val_t{64}) float[count]) {}
+    explicit AlignedFloats(uint64_t count) : floats_(new(std::align_val_t{64}) float[count]) {}
     [[nodiscard]] float *get() const { return floats_.get(); }
 
 private:

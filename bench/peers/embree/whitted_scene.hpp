@@ -21,8 +21,8 @@ struct WhittedLight {
     uint32_t ray_mask; ///< of shadow rays: everything but the light's own mesh
 };
 
-/// Surfaces are numbered as Embree's geometries: objects, then lights; the row after them is the background. Columns are
-/// aligned to 64 bytes and have at least 16 entries.
+/// Surfaces are numbered as Embree's geometries: objects, then lights; the row after them is the background. Columns
+/// are aligned to 64 bytes and have at least 16 entries.
 struct WhittedScene {
     RTCScene scene;
     RTCIntersectContextFlags shadow_coherence; ///< Embree's hint for shadow rays
@@ -50,8 +50,8 @@ constexpr uint32_t tile_px = 16;
 /// less than 1/4096 of the pixel are not taken, so that no pixel ever has more than 4096 rays waiting.
 constexpr uint32_t most_waiting = tile_px * tile_px * 4096;
 constexpr uint32_t fields_waiting = 8; ///< origin, direction, weight, pixel
-/// Floats that tracing a tile needs as scratch memory, aligned to 64 bytes: two levels, each field with room for a packet
-/// after its end. Memory that is not used is never touched.
+/// Floats that tracing a tile needs as scratch memory, aligned to 64 bytes: two levels, each field with room for a
+/// packet after its end. Memory that is not used is never touched.
 constexpr uint64_t scratch_floats = uint64_t{2} * fields_waiting * (most_waiting + 16);
 
 /// Renders the tile whose first pixel is (x0, y0).

@@ -1,9 +1,9 @@
 // Whitted ray tracing on Embree's packets, a tile at a time: what Glint's frames are compared with.
 //
 // Compiled once for each instruction set, with the widest packets that Embree has for it. A tile's pixels are traced by
-// blocks (4 x 4 for 16 rays); their mirrored and transmitted rays are put side by side into full packets, level by level.
-// The shading is that of core/kernel/scalar_kernel.cpp but for rounding. Shadow rays run from the light, as ours do: with
-// one origin for all, Embree is some 5 % faster than the other way.
+// blocks (4 x 4 for 16 rays); their mirrored and transmitted rays are put side by side into full packets, level by
+// level. The shading is that of core/kernel/scalar_kernel.cpp but for rounding. Shadow rays run from the light, as ours
+// do: with one origin for all, Embree is some 5 % faster than the other way.
 #include <embree3/rtcore.h>
 
 #include "bench/peers/embree/packets.hpp"
@@ -305,8 +305,10 @@ private:
         for (uint32_t row = 0; row < block_height && y + row < frame_.height_px; ++row) {
             uint8_t *const to = frame_.rgba8 + (uint64_t{y + row} * frame_.width_px + x) * 4;
             const char *const from = reinterpret_cast<const char *>(&rgba) + row * block_width * 4;
-            if (columns == block_width) __builtin_memcpy(to, from, block_width * 4);
-            else __builtin_memcpy(to, from, columns * 4);
+            if (columns == block_width)
+                __builtin_memcpy(to, from, block_width * 4);
+            else
+                __builtin_memcpy(to, from, columns * 4);
         }
     }
 

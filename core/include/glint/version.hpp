@@ -18,6 +18,7 @@ struct BuildInfo {
     std::string_view version;           ///< "0.1.0"
     std::string_view compiler;          ///< name and version of the compiler that built the library
     std::string_view glm_version;       ///< of the headers it was built with
+    std::string_view highway_version;   ///< likewise
     std::vector<std::string_view> isas; ///< instruction sets to choose from on this machine
     std::string_view isa;               ///< the one in use where nobody chooses
 };

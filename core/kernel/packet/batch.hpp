@@ -25,8 +25,7 @@ HWY_INLINE bool load_group(const RayBatch &batch, size_t first, uint32_t count, 
     selection.clear();
     for (uint32_t i = 0; i < count; i += lane_count) {
         const Points org = rays.org(i);
-        differing |=
-            bits_of(hn::Or(hn::Or(hn::Ne(org.x, shared.x), hn::Ne(org.y, shared.y)), hn::Ne(org.z, shared.z)));
+        differing |= bits_of(hn::Or(hn::Or(hn::Ne(org.x, shared.x), hn::Ne(org.y, shared.y)), hn::Ne(org.z, shared.z)));
         hn::Store(hn::Set(uints, no_triangle), uints, rays.triangle_id + i);
         hn::Store(hn::Set(uints, no_triangle), uints, rays.left + i);
         selection.add(i, count - i >= lane_count ? all_lanes : (1u << (count - i)) - 1);

@@ -78,8 +78,8 @@ HWY_INLINE uint32_t first_ray_of(const RaySelection &selection) {
 template <bool shares_origin>
 HWY_INLINE bool make_beam(const RayGroup &rays, const RaySelection &selection, const Box &scene_bounds, Beam &beam) {
     const uint32_t first = first_ray_of(selection);
-    const Point3 base = shares_origin ? rays.shared_origin
-                                      : Point3{rays.org_x[first], rays.org_y[first], rays.org_z[first]};
+    const Point3 base =
+        shares_origin ? rays.shared_origin : Point3{rays.org_x[first], rays.org_y[first], rays.org_z[first]};
     beam.axes = axes_along(rays.dir_x[first], rays.dir_y[first], rays.dir_z[first], base);
     const BeamAxes &axes = beam.axes;
     const float *dir_u = rays.dir_row(axes.u), *dir_v = rays.dir_row(axes.v), *dir_z = rays.dir_row(axes.z);
@@ -256,10 +256,9 @@ HWY_INLINE uint32_t triangles_in_beam(const Beam &beam, const BeamCorners &c) {
         const Floats slope = splat(beam.slope[side]);
         return hn::Gt(min3(a - slope * c.z[0], b - slope * c.z[1], d - slope * c.z[2]), splat(beam.offset[side]));
     };
-    const FloatMask outside =
-        hn::Or(hn::Or(beyond(1, c.u[0], c.u[1], c.u[2]), beyond(3, c.v[0], c.v[1], c.v[2])),
-               hn::Or(beyond(0, hn::Neg(c.u[0]), hn::Neg(c.u[1]), hn::Neg(c.u[2])),
-                      beyond(2, hn::Neg(c.v[0]), hn::Neg(c.v[1]), hn::Neg(c.v[2]))));
+    const FloatMask outside = hn::Or(hn::Or(beyond(1, c.u[0], c.u[1], c.u[2]), beyond(3, c.v[0], c.v[1], c.v[2])),
+                                     hn::Or(beyond(0, hn::Neg(c.u[0]), hn::Neg(c.u[1]), hn::Neg(c.u[2])),
+                                            beyond(2, hn::Neg(c.v[0]), hn::Neg(c.v[1]), hn::Neg(c.v[2]))));
     const FloatMask outside_z = hn::Or(hn::Gt(min3(c.z[0], c.z[1], c.z[2]), splat(beam.z_end)),
                                        hn::Lt(max3(c.z[0], c.z[1], c.z[2]), splat(beam.z_begin)));
     return ~bits_of(hn::Or(outside, outside_z)) & all_lanes;

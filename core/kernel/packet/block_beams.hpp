@@ -26,12 +26,11 @@ struct alignas(64) BlockBeams {
                 const Floats m = hn::Load(floats, slope[side] + block);
                 return hn::Gt(min3(a - m * z0, b - m * z1, c - m * z2), hn::Load(floats, offset[side] + block));
             };
-            const FloatMask outside =
-                hn::Or(hn::Or(hn::Or(beyond(0, splat(-u[0]), splat(-u[1]), splat(-u[2])),
-                                     beyond(1, splat(u[0]), splat(u[1]), splat(u[2]))),
-                              hn::Or(beyond(2, splat(-v[0]), splat(-v[1]), splat(-v[2])),
-                                     beyond(3, splat(v[0]), splat(v[1]), splat(v[2])))),
-                       hn::Gt(nearest, hn::Load(floats, z_end + block)));
+            const FloatMask outside = hn::Or(hn::Or(hn::Or(beyond(0, splat(-u[0]), splat(-u[1]), splat(-u[2])),
+                                                           beyond(1, splat(u[0]), splat(u[1]), splat(u[2]))),
+                                                    hn::Or(beyond(2, splat(-v[0]), splat(-v[1]), splat(-v[2])),
+                                                           beyond(3, splat(v[0]), splat(v[1]), splat(v[2])))),
+                                             hn::Gt(nearest, hn::Load(floats, z_end + block)));
             entered |= (~bits_of(outside) & all_lanes) << block;
         }
         return entered;
@@ -39,9 +38,8 @@ struct alignas(64) BlockBeams {
 };
 
 /// Fills in the beams' sides. `beam` is the group's.
-template <bool shares_origin>
-HWY_INLINE void make_block_sides(const RayGroup &rays, const RaySelection &selection, const Beam &beam,
-                                 BlockBeams &blocks) {
+template <bool shares_origin> HWY_INLINE void make_block_sides(const RayGroup &rays, const RaySelection &selection,
+                                                               const Beam &beam, BlockBeams &blocks) {
     const BeamAxes &axes = beam.axes;
     const float *dir_u = rays.dir_row(axes.u), *dir_v = rays.dir_row(axes.v), *dir_z = rays.dir_row(axes.z);
     const float *org_u = rays.org_row(axes.u), *org_v = rays.org_row(axes.v), *org_z = rays.org_row(axes.z);
@@ -103,7 +101,8 @@ template <bool shares_origin>
 HWY_INLINE float block_end(const RayGroup &rays, uint32_t block, uint32_t bits, const Beam &beam) {
     Floats end = splat(-__builtin_inff());
     for (uint32_t part = 0; part < block_size; part += lane_count) {
-        end = hn::Max(end, ends_of<shares_origin>(rays, block * block_size + part, (bits >> part) & all_lanes, beam.axes));
+        end = hn::Max(end,
+                      ends_of<shares_origin>(rays, block * block_size + part, (bits >> part) & all_lanes, beam.axes));
     }
     return greatest_lane(end) + beam.slack;
 }

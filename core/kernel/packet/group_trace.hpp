@@ -7,24 +7,15 @@
 
 namespace glint::HWY_NAMESPACE {
 
-/// No surface: see TraceQuestion.
-inline constexpr uint32_t no_surface = UINT32_MAX;
-
 /// What is asked of a ray: the closest hit, or whether there is any. Shadow rays pass through their light's own mesh.
 struct TraceQuestion {
     const GeometryView &geometry;
-    uint32_t passed_surface = no_surface;
+    uint32_t first_passed = 0, passed_count = 0; ///< triangles that do not block
 };
 
 /// After this many triangles in a group's beam it pays to look at each block's own beam first.
 inline constexpr uint32_t block_beams_after = 3;
 
-#ifdef COUNTING
-extern "C" unsigned long long glint_counts[3][16];
-#define COUNT(i) (++glint_counts[shares_origin ? any_hit ? 1 : 0 : 2][i])
-#else
-#define COUNT(i) ((void)0)
-#endif
 template <bool shares_origin, bool any_hit> class GroupTrace {
 public:
     /// `rays` holds what RayGroup says; of the selected rays those that are hit are deselected where any hit will do.
@@ -37,15 +28,14 @@ public:
           corners_{hn::Zero(floats), hn::Zero(floats), hn::Zero(floats)} {
         for (uint32_t &id : seen_) id = no_triangle;
         reach_ = beam.slack * 0x1p20f;
-        COUNT(4);
         if (ends) {
             ends_ = *ends;
             has_ends_ = true;
         }
     }
 
-    /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so far
-    /// stands, and makes the next attempt with fewer rays cheaper.
+    /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so
+    /// far stands, and makes the next attempt with fewer rays cheaper.
     HWY_INLINE bool run(uint32_t budget) {
         const GeometryView &geometry = question_.geometry;
         Cell cell = root_cell(geometry.bounds);
@@ -60,8 +50,7 @@ public:
         const BeamAxes &axes = beam_.axes;
         while (true) {
             const KdNode node = geometry.nodes[index];
-            COUNT(5);
-            if (++steps_ > budget) { COUNT(6); return false; }
+            if (++steps_ > budget) return false;
             if (!node.is_leaf()) {
                 const auto axis = static_cast<int>(node.axis());
                 const uint32_t lower = index + 1, upper = node.upper_child();
@@ -169,7 +158,6 @@ private:
         dirty_blocks_ = 0;
         for (uint32_t first = 0; first < count; first += lane_count) {
             const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
-            COUNT(7);
             const BeamCorners corners(beam_.axes, words, count, first);
             uint32_t entered = triangles_in_beam(beam_, corners) & valid;
             if (entered == 0) continue;
@@ -207,17 +195,12 @@ private:
         uint32_t &seen = seen_[id % seen_slots];
         if (seen == id) return;
         seen = id;
-        if (any_hit && question_.passed_surface != no_surface &&
-            question_.geometry.surfaces[id].surface == question_.passed_surface) {
-            return;
-        }
-        COUNT(0);
+        if (any_hit && id - question_.first_passed < question_.passed_count) return;
         const TriangleSetup triangle(words, count, i);
         const ExactPlane plane(triangle);
         if constexpr (shares_origin && any_hit) {
             if (all_end_before(triangle, plane)) return;
         }
-        COUNT(1);
         if constexpr (shares_origin) {
             if (tested_ == 0) {
                 corners_ = corner_directions(beam_);
@@ -234,17 +217,18 @@ private:
                 return;
             }
             for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
-                test_block(triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); },
-                           distances);
+                test_block(
+                    triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); }, distances);
             }
         } else {
             const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
             for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
-                test_block(triangle, lowest_bit(blocks),
-                           [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
-                           [&](uint32_t ray, uint32_t lanes) {
-                               return test.distances(rays_.org(ray), rays_.dir(ray), lanes);
-                           });
+                test_block(
+                    triangle, lowest_bit(blocks),
+                    [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
+                    [&](uint32_t ray, uint32_t lanes) {
+                        return test.distances(rays_.org(ray), rays_.dir(ray), lanes);
+                    });
             }
         }
     }
@@ -272,8 +256,8 @@ private:
         const double at_ends = least(plane.n.x, ends_.lo.x - triangle.corners[0], ends_.hi.x - triangle.corners[0]) +
                                least(plane.n.y, ends_.lo.y - triangle.corners[1], ends_.hi.y - triangle.corners[1]) +
                                least(plane.n.z, ends_.lo.z - triangle.corners[2], ends_.hi.z - triangle.corners[2]);
-        // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max and
-        // the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
+        // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max
+        // and the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
         const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_.way + ends_.reach) +
                               double(0x1p-46f * triangle.edge_reach) * triangle.edge_reach * reach_;
         return at_origin * side > margin && at_ends > margin;
@@ -286,12 +270,10 @@ private:
             const uint32_t lanes = (bits >> part) & all_lanes;
             if (lanes == 0) continue;
             const uint32_t ray = block * block_size + part;
-            COUNT(2);
             const FilterResult result = filter(ray);
             const uint32_t possible = bits_of(result.possible) & lanes & ~lanes_that_left(triangle, ray);
             if (possible == 0) continue;
             const uint32_t certain = bits_of(result.certain) & possible;
-            COUNT(3);
             Floats t = distances(ray, certain);
             if (certain != possible) t = with_exact_distances(triangle, ray, possible & ~certain, t);
             take_nearer(triangle, ray, possible, t);

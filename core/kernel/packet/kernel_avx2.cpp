@@ -5,6 +5,6 @@
 namespace glint {
 
 const Kernel avx2_kernel = {Isa::avx2, HWY_NAMESPACE::scratch_bytes, HWY_NAMESPACE::render_tile,
-                             HWY_NAMESPACE::closest_hits, HWY_NAMESPACE::any_hits};
+                            HWY_NAMESPACE::closest_hits, HWY_NAMESPACE::any_hits};
 
 } // namespace glint

@@ -89,7 +89,8 @@ struct DoubleLanes {
     Doubles lower, upper;
 };
 HWY_INLINE DoubleLanes promote(Floats a) {
-    return {hn::PromoteTo(doubles, hn::LowerHalf(half_floats, a)), hn::PromoteTo(doubles, hn::UpperHalf(half_floats, a))};
+    return {hn::PromoteTo(doubles, hn::LowerHalf(half_floats, a)),
+            hn::PromoteTo(doubles, hn::UpperHalf(half_floats, a))};
 }
 HWY_INLINE Floats demote(DoubleLanes a) {
     return hn::Combine(floats, hn::DemoteTo(half_floats, a.upper), hn::DemoteTo(half_floats, a.lower));

@@ -118,8 +118,7 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
     for_each_vector(level.selection, [&](uint32_t ray, uint32_t lanes) {
         const Uints ids = hn::Load(uints, level.rays.triangle_id + ray);
         const Floats weight = hn::Load(floats, level.weight + ray);
-        const uint32_t missed =
-            bits_of(hn::RebindMask(floats, hn::Eq(ids, hn::Set(uints, no_triangle)))) & lanes;
+        const uint32_t missed = bits_of(hn::RebindMask(floats, hn::Eq(ids, hn::Set(uints, no_triangle)))) & lanes;
         if (missed != 0) work.colors.add(ray, missed, weight, background);
         uint32_t hit = lanes & ~missed;
         if (hit == 0) return;
@@ -212,8 +211,8 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
         const uint32_t lit = bits_of(hn::Gt(share, hn::Zero(floats))) & hit;
         if (lit == 0) return;
         points.lit.add(ray, lit);
-        points.local.set(ray, surface_color(scene, surface, one,
-                                            [](const SurfaceShading &s) { return s.ambient_color; }));
+        points.local.set(ray,
+                         surface_color(scene, surface, one, [](const SurfaceShading &s) { return s.ambient_color; }));
     });
     return going_on;
 }
@@ -239,8 +238,8 @@ HWY_INLINE uint32_t add_light(const KernelScene &scene, const LightShading &ligh
         reached.add(ray, facing);
     });
     const uint32_t count = reached.count();
-    trace<true, true>(TraceQuestion{scene.geometry, light.surface}, shadow, reached, work.beams->shadow,
-                      RayKind::shadow);
+    trace<true, true>(TraceQuestion{scene.geometry, light.first_triangle, light.triangle_count}, shadow, reached,
+                      work.beams->shadow, RayKind::shadow);
     const Points emission = points_of(light.emission);
     for_each_vector(reached, [&](uint32_t ray, uint32_t lanes) {
         const Points normal = points.normal(ray), dir = work.level->rays.dir(ray);
@@ -275,8 +274,7 @@ HWY_INLINE uint32_t add_light(const KernelScene &scene, const LightShading &ligh
 /// Adds the local colours to the pixels.
 HWY_INLINE void add_local_colors(TileWork &work) {
     for_each_vector(work.points.lit, [&](uint32_t ray, uint32_t lanes) {
-        const Floats weight =
-            hn::Load(floats, work.level->weight + ray) * hn::Load(floats, work.points.share + ray);
+        const Floats weight = hn::Load(floats, work.level->weight + ray) * hn::Load(floats, work.points.share + ray);
         work.colors.add(ray, lanes, weight, work.points.local.at(ray));
     });
 }

@@ -25,11 +25,60 @@ struct SingleRay {
     }
 };
 
-#ifdef COUNTING
-#define SCOUNT(i) (++glint_counts[any_hit ? 1 : 0][8 + i])
-#else
-#define SCOUNT(i) ((void)0)
-#endif
+/// One ray against the triangles of a leaf. `dir_reach` and `reach` are at least the largest coordinate of the
+/// direction and of the way from the origin to any corner. Lowers best_t and sets best_id where something nearer is
+/// hit, or as near with a lower id; where any hit will do, stops at the first. Returns whether there was one.
+template <bool any_hit> HWY_INLINE bool hit_leaf(const TraceQuestion &question, const KdNode &node, const Point3 &org,
+                                                 const Point3 &dir, float dir_reach, float reach, uint32_t left,
+                                                 float &best_t, uint32_t &best_id) {
+    const uint32_t count = node.reference_count();
+    const uint32_t *words = question.geometry.leaf_words + words_per_reference * size_t{node.first_reference()};
+    const Points o = splat(org), d = splat(dir);
+    bool hit = false;
+    for (uint32_t first = 0; first < count; first += lane_count) {
+        const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
+        const auto row = [&](uint32_t r) { return hn::BitCast(floats, hn::LoadU(uints, words + r * count + first)); };
+        const Points a = {row(0), row(1), row(2)};
+        const Points e1 = {row(3) - a.x, row(4) - a.y, row(5) - a.z};
+        const Points e2 = {row(6) - a.x, row(7) - a.y, row(8) - a.z};
+        const Points s = {o.x - a.x, o.y - a.y, o.z - a.z};
+        const Points q = {d.y * s.z - d.z * s.y, d.z * s.x - d.x * s.z, d.x * s.y - d.y * s.x};
+        const Points n = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x};
+        const Floats e = hn::Max(max_abs(e1), max_abs(e2));
+        const Floats margin = splat(from_anywhere_error * dir_reach) * e * (splat(reach) + (e + e)) +
+                              (splat(from_anywhere_cross_error) * e * sum_abs(q) + splat(least_margin));
+        const FilterResult result = judge(dot(n, d), dot(e2, q), hn::Neg(dot(e1, q)), margin);
+        const uint32_t certain = bits_of(result.certain);
+        for (uint32_t possible = bits_of(result.possible) & valid; possible != 0; possible &= possible - 1) {
+            const uint32_t lane = lowest_bit(possible), i = first + lane, id = words[9 * count + i];
+            if (id == left) continue;
+            if (any_hit && id - question.first_passed < question.passed_count) continue;
+            const TriangleSetup triangle(words, count, i);
+            bool settled = (certain >> lane & 1) != 0;
+            float t = 0.0f;
+            if (settled) {
+                const ExactPlane plane(triangle);
+                const Point3 normal = plane.n.rounded();
+                const float det = (normal.x * dir.x + normal.y * dir.y) + normal.z * dir.z;
+                settled = !(magnitude(det) < least_slope * sum_abs(normal) * max_abs(dir));
+                t = static_cast<float>(plane.offset(triangle, org)) / det;
+            }
+            if (!settled) {
+                const float from[3] = {org.x, org.y, org.z}, along[3] = {dir.x, dir.y, dir.z};
+                t = exact_distance(from, along, triangle.corners);
+            }
+            if (!(t > 0.0f)) continue;
+            if (t < best_t || (!any_hit && t == best_t && id < best_id)) {
+                best_t = t;
+                best_id = id;
+                hit = true;
+                if (any_hit) return true;
+            }
+        }
+    }
+    return hit;
+}
+
 template <bool any_hit> class SingleTrace {
 public:
     HWY_INLINE SingleTrace(const TraceQuestion &question, RayGroup &rays, uint32_t number, const Point3 &org)
@@ -37,14 +86,11 @@ public:
           ray_(org, {rays.dir_x[number], rays.dir_y[number], rays.dir_z[number]}, question.geometry.bounds),
           left_(rays.left[number]),
           best_t_(rays.t[number]),
-          best_id_(rays.triangle_id[number]),
-          org_(splat(org)),
-          dir_(splat({ray_.dir[0], ray_.dir[1], ray_.dir[2]})) {}
+          best_id_(rays.triangle_id[number]) {}
 
     /// True when something was hit; the closest hit is then in t() and triangle_id().
     HWY_INLINE bool run() {
         const GeometryView &geometry = question_.geometry;
-        SCOUNT(0);
         float t_near = 0.0f, t_far = best_t_ + distance_error * best_t_;
         for (int axis = 0; axis < 3; ++axis) {
             const float lo = axis == 0 ? geometry.bounds.lo.x : axis == 1 ? geometry.bounds.lo.y : geometry.bounds.lo.z;
@@ -65,7 +111,6 @@ public:
         uint32_t index = 0;
         while (true) {
             const KdNode node = geometry.nodes[index];
-            SCOUNT(1);
             if (!node.is_leaf()) {
                 const uint32_t axis = node.axis();
                 const float t_split = (node.split() - ray_.org[axis]) * ray_.inverse_dir[axis];
@@ -79,13 +124,19 @@ public:
                 } else if (t_first < t_near) {
                     index = second;
                 } else {
+                    __builtin_prefetch(geometry.nodes + second);
                     stack[pending++] = {second, larger(t_second, t_near), t_far};
                     index = first;
                     t_far = smaller(t_first, t_far);
                 }
                 continue;
             }
-            if (visit_leaf(node) && any_hit) return true;
+            if (hit_leaf<any_hit>(question_, node, {ray_.org[0], ray_.org[1], ray_.org[2]},
+                                  {ray_.dir[0], ray_.dir[1], ray_.dir[2]}, ray_.dir_reach, ray_.reach, left_, best_t_,
+                                  best_id_)) {
+                if (any_hit) return true;
+                hit_ = true;
+            }
             do {
                 if (pending == 0) return hit_;
                 --pending;
@@ -100,74 +151,12 @@ public:
     [[nodiscard]] HWY_INLINE uint32_t triangle_id() const { return best_id_; }
 
 private:
-    HWY_INLINE bool visit_leaf(const KdNode &node) {
-        const uint32_t count = node.reference_count();
-        SCOUNT(5); if (count) SCOUNT(6);
-        const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{node.first_reference()};
-        for (uint32_t first = 0; first < count; first += lane_count) {
-            const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
-            SCOUNT(2);
-            const FilterResult result = filter(words, count, first);
-            uint32_t possible = bits_of(result.possible) & valid;
-            const uint32_t certain = bits_of(result.certain);
-            for (; possible != 0; possible &= possible - 1) {
-                const uint32_t lane = lowest_bit(possible);
-                accept(words, count, first + lane, (certain >> lane & 1) != 0);
-            }
-            if (any_hit && hit_) return true;
-        }
-        return hit_;
-    }
-
-    HWY_INLINE FilterResult filter(const uint32_t *words, uint32_t count, uint32_t first) const {
-        const auto row = [&](uint32_t r) { return hn::BitCast(floats, hn::LoadU(uints, words + r * count + first)); };
-        const Points a = {row(0), row(1), row(2)};
-        const Points e1 = {row(3) - a.x, row(4) - a.y, row(5) - a.z};
-        const Points e2 = {row(6) - a.x, row(7) - a.y, row(8) - a.z};
-        const Points s = {org_.x - a.x, org_.y - a.y, org_.z - a.z};
-        const Points q = {dir_.y * s.z - dir_.z * s.y, dir_.z * s.x - dir_.x * s.z, dir_.x * s.y - dir_.y * s.x};
-        const Points n = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x};
-        const Floats e = hn::Max(max3(hn::Abs(e1.x), hn::Abs(e1.y), hn::Abs(e1.z)),
-                                 max3(hn::Abs(e2.x), hn::Abs(e2.y), hn::Abs(e2.z)));
-        const Floats margin = splat(from_anywhere_error * ray_.dir_reach) * e * (splat(ray_.reach) + (e + e)) +
-                              (splat(from_anywhere_cross_error) * e * sum_abs(q) + splat(least_margin));
-        return judge(dot(n, dir_), dot(e2, q), hn::Neg(dot(e1, q)), margin);
-    }
-
-    HWY_INLINE void accept(const uint32_t *words, uint32_t count, uint32_t i, bool certain) {
-        SCOUNT(3);
-        if (!certain) SCOUNT(4);
-        const uint32_t id = words[9 * count + i];
-        if (id == left_) return;
-        if (any_hit && question_.passed_surface != no_surface &&
-            question_.geometry.surfaces[id].surface == question_.passed_surface) {
-            return;
-        }
-        const TriangleSetup triangle(words, count, i);
-        float t = 0.0f;
-        if (certain) {
-            const ExactPlane plane(triangle);
-            const Point3 n = plane.n.rounded();
-            const float det = (n.x * ray_.dir[0] + n.y * ray_.dir[1]) + n.z * ray_.dir[2];
-            certain = !(magnitude(det) < least_slope * sum_abs(n) * ray_.dir_reach);
-            t = static_cast<float>(plane.offset(triangle, {ray_.org[0], ray_.org[1], ray_.org[2]})) / det;
-        }
-        if (!certain) t = exact_distance(ray_.org, ray_.dir, triangle.corners);
-        if (!(t > 0.0f)) return;
-        if (t < best_t_ || (!any_hit && t == best_t_ && id < best_id_)) {
-            best_t_ = t;
-            best_id_ = id;
-            hit_ = true;
-        }
-    }
-
     const TraceQuestion &question_;
     SingleRay ray_;
     uint32_t left_;
     float best_t_;
     uint32_t best_id_;
     bool hit_ = false;
-    Points org_, dir_;
 };
 
 } // namespace glint::HWY_NAMESPACE

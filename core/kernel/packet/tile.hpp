@@ -61,8 +61,8 @@ HWY_INLINE Uints resolve_channels(Floats c) {
     const Floats scaled_up = splat(255.0f) * clamped;
     const Ints whole = hn::ConvertTo(ints, scaled_up);
     const Floats rest = scaled_up - hn::ConvertTo(floats, whole);
-    const Ints round_up = hn::BitCast(ints, hn::IfThenElseZero(hn::Ge(rest, splat(0.5f)),
-                                                               hn::BitCast(floats, hn::Set(ints, 1))));
+    const Ints round_up =
+        hn::BitCast(ints, hn::IfThenElseZero(hn::Ge(rest, splat(0.5f)), hn::BitCast(floats, hn::Set(ints, 1))));
     return hn::BitCast(uints, whole + round_up);
 }
 

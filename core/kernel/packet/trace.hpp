@@ -1,8 +1,8 @@
-// Chooses how the rays of a group are traced: all together, block by block, or one by one.
+// Chooses how the rays of a group are traced: all together, a quarter at a time, in step block by block, or one by one.
 #pragma once
 
 #include "kernel/kernel.hpp"
-#include "kernel/packet/single_trace.hpp"
+#include "kernel/packet/block_trace.hpp"
 
 namespace glint::HWY_NAMESPACE {
 
@@ -10,9 +10,10 @@ namespace glint::HWY_NAMESPACE {
 inline constexpr float widest_beam = 4.0f;
 /// Fewer rays than this are not worth a beam.
 inline constexpr uint32_t fewest_in_beam = 4;
-/// Steps that a beam may take before it is taken apart, for a group, a quarter of one, a block. Measured: see
-/// docs/performance.md.
-inline constexpr uint32_t beam_budget[3] = {1600, 450, 156};
+/// Fewer rays than this are traced singly rather than in step.
+inline constexpr uint32_t fewest_in_step = 3;
+/// Steps that a beam may take before it is taken apart: a group's, a quarter's. Measured: see docs/performance.md.
+inline constexpr uint32_t beam_budget[2] = {1600, 450};
 
 /// After some failures only every eighth beam of a size is tried.
 HWY_INLINE bool worth_trying(BeamHistory &history, int size) {
@@ -23,21 +24,33 @@ HWY_INLINE void note(BeamHistory &history, int size, bool succeeded) {
     history.failures[size] = static_cast<uint8_t>(failures < 0 ? 0 : failures > 8 ? 8 : failures);
 }
 
+/// Rays of a block that go the same way in step, others singly.
 template <bool shares_origin, bool any_hit>
-HWY_NOINLINE void trace_singly(const TraceQuestion &question, RayGroup &rays, RaySelection &selection) {
-    for (uint32_t block = 0; block < block_count; ++block) {
-        for (uint32_t bits = selection.blocks[block]; bits != 0; bits &= bits - 1) {
-            const uint32_t lane = lowest_bit(bits), i = block * block_size + lane;
-            const Point3 org = shares_origin ? rays.shared_origin : Point3{rays.org_x[i], rays.org_y[i], rays.org_z[i]};
-            SingleTrace<any_hit> trace(question, rays, i, org);
-            if (!trace.run()) continue;
-            if constexpr (any_hit) {
-                selection.remove(block * block_size, 1u << lane);
-            } else {
-                rays.t[i] = trace.t();
-                rays.triangle_id[i] = trace.triangle_id();
+HWY_NOINLINE void trace_apart(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, uint32_t block) {
+    const uint32_t first_ray = block * block_size;
+    for (uint32_t waiting = selection.blocks[block]; waiting != 0;) {
+        const uint32_t lane = lowest_bit(waiting), i = first_ray + lane;
+        const uint32_t together = waiting & rays_of_same_signs(rays, block, i);
+        waiting &= ~together;
+        uint32_t hits = 0;
+        if (static_cast<uint32_t>(__builtin_popcount(together)) >= fewest_in_step) {
+            BlockTrace<shares_origin, any_hit> trace(question, rays, block);
+            hits = trace.run(together);
+        } else {
+            for (uint32_t rest = together; rest != 0; rest &= rest - 1) {
+                const uint32_t l = lowest_bit(rest), r = first_ray + l;
+                const Point3 org =
+                    shares_origin ? rays.shared_origin : Point3{rays.org_x[r], rays.org_y[r], rays.org_z[r]};
+                SingleTrace<any_hit> trace(question, rays, r, org);
+                if (!trace.run()) continue;
+                hits |= 1u << l;
+                if constexpr (!any_hit) {
+                    rays.t[r] = trace.t();
+                    rays.triangle_id[r] = trace.triangle_id();
+                }
             }
         }
+        if constexpr (any_hit) selection.remove(first_ray, hits);
     }
 }
 
@@ -53,9 +66,9 @@ enum class RayKind {
 };
 
 /// Traces the selected rays as one beam; false where that does not pay.
-template <bool shares_origin, bool any_hit>
-HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, int size,
-                             BeamHistory &history, RayKind kind) {
+template <bool shares_origin, bool any_hit> HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays,
+                                                                         RaySelection &selection, int size,
+                                                                         BeamHistory &history, RayKind kind) {
     if (!worth_trying(history, size) || selection.count() < fewest_in_beam) return false;
     const Box &bounds = question.geometry.bounds;
     Beam beam;
@@ -74,19 +87,19 @@ HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays, RayS
             beam.z_end = group_end<shares_origin>(rays, selection, beam);
         }
     }
-    const bool done = one_way && width_of(beam) <= widest_beam &&
-                      GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, known_ends)
-                          .run(beam_budget[size]);
+    const bool done =
+        one_way && width_of(beam) <= widest_beam &&
+        GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, known_ends).run(beam_budget[size]);
     note(history, size, done);
     return done;
 }
 
 /// Traces the selected rays. Those that are hit are deselected where any hit will do.
-template <bool shares_origin, bool any_hit>
-HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, BeamHistory &history,
-                        RayKind kind = RayKind::any) {
+template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays,
+                                                                    RaySelection &selection, BeamHistory &history,
+                                                                    RayKind kind = RayKind::any) {
     if (selection.empty() || trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, kind)) return;
-    // Quarters of 2 x 2 blocks, then blocks, then rays.
+    // Quarters of 2 x 2 blocks, then blocks.
     for (uint32_t quarter = 0; quarter < 4; ++quarter) {
         const uint32_t corner = quarter / 2 * 8 + quarter % 2 * 2;
         const uint32_t blocks[4] = {corner, corner + 1, corner + 4, corner + 5};
@@ -94,15 +107,7 @@ HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays, RaySelect
         for (const uint32_t block : blocks) part.blocks[block] = selection.blocks[block];
         if (part.empty()) continue;
         if (!trace_beam<shares_origin, any_hit>(question, rays, part, 1, history, RayKind::any)) {
-            for (const uint32_t block : blocks) {
-                if (part.blocks[block] == 0) continue;
-                RaySelection one{};
-                one.blocks[block] = part.blocks[block];
-                if (!trace_beam<shares_origin, any_hit>(question, rays, one, 2, history, RayKind::any)) {
-                    trace_singly<shares_origin, any_hit>(question, rays, one);
-                }
-                part.blocks[block] = one.blocks[block];
-            }
+            for (const uint32_t block : blocks) trace_apart<shares_origin, any_hit>(question, rays, part, block);
         }
         if constexpr (any_hit) {
             for (const uint32_t block : blocks) selection.blocks[block] = part.blocks[block];

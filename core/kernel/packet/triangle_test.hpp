@@ -118,8 +118,8 @@ public:
         const Floats margin = margin_ * splat(2.0f * corner_reach / dir_reach_) + splat(least_margin);
         const Floats minus_margin = hn::Neg(margin);
         const auto everywhere = [](FloatMask mask) { return bits_of(mask) == all_lanes; };
-        const bool some_positive = everywhere(hn::Gt(u, margin)) || everywhere(hn::Gt(v, margin)) ||
-                                   everywhere(hn::Gt(w, margin));
+        const bool some_positive =
+            everywhere(hn::Gt(u, margin)) || everywhere(hn::Gt(v, margin)) || everywhere(hn::Gt(w, margin));
         const bool some_negative = everywhere(hn::Lt(u, minus_margin)) || everywhere(hn::Lt(v, minus_margin)) ||
                                    everywhere(hn::Lt(w, minus_margin));
         if (some_positive && some_negative) return BeamVerdict::missed;
@@ -138,8 +138,10 @@ public:
         const FloatMask grazing = hn::Lt(hn::Abs(det), splat(least_slope * sum_abs(normal_)) * max_abs(dir));
         const DoubleLanes x = promote(dir.x), y = promote(dir.y), z = promote(dir.z);
         const Doubles offset = hn::Set(doubles, exact_offset_);
-        return hn::IfThenElse(grazing, demote({offset / plane_.dot(x.lower, y.lower, z.lower),
-                                               offset / plane_.dot(x.upper, y.upper, z.upper)}), t);
+        return hn::IfThenElse(
+            grazing,
+            demote({offset / plane_.dot(x.lower, y.lower, z.lower), offset / plane_.dot(x.upper, y.upper, z.upper)}),
+            t);
     }
 
 private:
@@ -200,8 +202,10 @@ public:
         const FloatMask grazing = hn::Lt(hn::Abs(det), splat(least_slope * sum_abs(n)) * max_abs(dir));
         if ((bits_of(grazing) & lanes) == 0) return t;
         const DoubleLanes dx = promote(dir.x), dy = promote(dir.y), dz = promote(dir.z);
-        return hn::IfThenElse(grazing, demote({offset.lower / plane.dot(dx.lower, dy.lower, dz.lower),
-                                               offset.upper / plane.dot(dx.upper, dy.upper, dz.upper)}), t);
+        return hn::IfThenElse(grazing,
+                              demote({offset.lower / plane.dot(dx.lower, dy.lower, dz.lower),
+                                      offset.upper / plane.dot(dx.upper, dy.upper, dz.upper)}),
+                              t);
     }
 
 private:
