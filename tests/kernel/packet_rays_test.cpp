@@ -1,0 +1,70 @@
+// Every kernel's rays end where the scalar kernel's do, through the tree and by brute force.
+#include <gtest/gtest.h>
+
+#include "kernel/ray_batches.hpp"
+#include "kernel/ray_comparison.hpp"
+#include "support/meshes.hpp"
+
+namespace glint::test {
+namespace {
+
+// glint_compare_rays goes on from here: it has been run with 10^8 rays.
+#ifdef GLINT_SANITIZED
+constexpr uint32_t batches_a_mesh = 9;
+#else
+constexpr uint32_t batches_a_mesh = 270;
+#endif
+
+class EveryMesh : public testing::TestWithParam<NamedMesh> {};
+
+TEST_P(EveryMesh, is_hit_alike_by_every_kernel) {
+    const RayComparison result = compare_rays(scene_of(GetParam().mesh), 0, batches_a_mesh);
+    EXPECT_EQ(result.differences, 0u) << result.first_difference;
+    EXPECT_GT(result.rays, batches_a_mesh * 100u);
+    EXPECT_GT(result.hits, result.rays / 20) << "the rays hardly meet the mesh: nothing was tested";
+    EXPECT_LT(result.hits, result.rays);
+}
+
+INSTANTIATE_TEST_SUITE_P(meshes, EveryMesh, testing::ValuesIn(all_meshes()),
+                         [](const auto &test) { return test.param.name; });
+
+TEST(Batches, of_no_rays_or_one_are_answered) {
+    const auto accel = Accel::build(scene_of(cube()));
+    for (const Isa isa : available_isas()) {
+        const RayQuery query(accel, isa);
+        query.closest_hits({}, {});
+        query.any_hits({}, nullptr);
+        RayRows one;
+        one.add({{0.25f, 0.5f, 3.0f}, {0.0f, 0.0f, -2.0f}}, 10.0f);
+        float t = 0.0f;
+        uint32_t triangle = no_triangle;
+        uint8_t occluded = 7;
+        query.closest_hits(one.batch(), {&t, &triangle});
+        query.any_hits(one.batch(), &occluded);
+        EXPECT_EQ(t, 1.0f) << isa_name(isa);
+        EXPECT_NE(triangle, no_triangle) << isa_name(isa);
+        EXPECT_EQ(occluded, 1) << isa_name(isa);
+    }
+}
+
+TEST(Batches, leave_the_memory_behind_them_alone) {
+    const auto accel = Accel::build(scene_of(icosphere(1)));
+    const auto &mesh = *accel->scene().objects()[0].mesh;
+    for (uint32_t number = 0; number < 60; ++number) {
+        const RayRows rows = BatchSet(mesh).batch(number);
+        for (const Isa isa : available_isas()) {
+            std::vector<float> t(rows.count() + 16, -7.0f);
+            std::vector<uint32_t> triangle(rows.count() + 16, 7);
+            std::vector<uint8_t> occluded(rows.count() + 16, 7);
+            const RayQuery query(accel, isa);
+            query.closest_hits(rows.batch(), {t.data(), triangle.data()});
+            query.any_hits(rows.batch(), occluded.data());
+            for (size_t i = rows.count(); i < t.size(); ++i) {
+                ASSERT_TRUE(t[i] == -7.0f && triangle[i] == 7 && occluded[i] == 7) << isa_name(isa);
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace glint::test
