@@ -249,13 +249,14 @@ private:
         const Point3 n = plane.n.rounded();
         const double at_origin = -plane.offset(triangle, rays_.shared_origin);
         const double side = at_origin < 0.0 ? -1.0 : 1.0;
-        const auto least = [side](double m, float lo, float hi) {
+        const auto least = [side](double m, double lo, double hi) {
             const double a = side * m * lo, b = side * m * hi;
             return a < b ? a : b;
         };
-        const double at_ends = least(plane.n.x, ends_.lo.x - triangle.corners[0], ends_.hi.x - triangle.corners[0]) +
-                               least(plane.n.y, ends_.lo.y - triangle.corners[1], ends_.hi.y - triangle.corners[1]) +
-                               least(plane.n.z, ends_.lo.z - triangle.corners[2], ends_.hi.z - triangle.corners[2]);
+        const double a[3] = {triangle.corners[0], triangle.corners[1], triangle.corners[2]};
+        const double at_ends = least(plane.n.x, ends_.lo.x - a[0], ends_.hi.x - a[0]) +
+                               least(plane.n.y, ends_.lo.y - a[1], ends_.hi.y - a[1]) +
+                               least(plane.n.z, ends_.lo.z - a[2], ends_.hi.z - a[2]);
         // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max
         // and the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
         const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_.way + ends_.reach) +

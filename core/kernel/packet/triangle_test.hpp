@@ -114,8 +114,8 @@ public:
     /// direction, so their signs at the corners tell. `corner_reach` is the largest coordinate of a corner.
     [[nodiscard]] HWY_INLINE BeamVerdict judge_beam(const Points &corners, float corner_reach) const {
         const Floats det = dot(n_, corners), u = dot(u_, corners), v = dot(v_, corners), w = (det - u) - v;
-        // Twice the margin, since the corners are rounded too.
-        const Floats margin = margin_ * splat(2.0f * corner_reach / dir_reach_) + splat(least_margin);
+        // Four times the margin: a ray's direction is rounded, so it may lie a few eps outside the corners.
+        const Floats margin = margin_ * splat(4.0f * corner_reach / dir_reach_) + splat(least_margin);
         const Floats minus_margin = hn::Neg(margin);
         const auto everywhere = [](FloatMask mask) { return bits_of(mask) == all_lanes; };
         const bool some_positive =
