@@ -8,14 +8,7 @@ namespace glint {
 
 namespace {
 
-struct NamedIsa {
-    Isa isa;
-    std::string_view name;
-};
-
-constexpr std::array names = {NamedIsa{Isa::scalar, "scalar"}, NamedIsa{Isa::sse4, "sse4"},
-                              NamedIsa{Isa::avx2, "avx2"},     NamedIsa{Isa::avx512, "avx512"},
-                              NamedIsa{Isa::neon, "neon"},     NamedIsa{Isa::wasm, "wasm"}};
+constexpr Isa every_isa[] = {Isa::scalar, Isa::sse4, Isa::avx2, Isa::avx512, Isa::neon, Isa::wasm};
 
 // Each names what packet/kernel_<isa>.cpp is compiled with (CMakeLists.txt); the compiler's runtime also asks whether
 // the system saves the wide registers.
@@ -36,64 +29,79 @@ bool cpu_has_avx512() {
 }
 #endif
 
-/// Kernels that this machine can run, slowest first.
-class AvailableKernels {
-public:
-    AvailableKernels() {
-        add(scalar_kernel, true);
-#ifdef GLINT_HAS_sse4
-        add(sse4_kernel, cpu_has_sse4());
-#endif
-#ifdef GLINT_HAS_avx2
-        add(avx2_kernel, cpu_has_avx2());
-#endif
-#ifdef GLINT_HAS_avx512
-        add(avx512_kernel, cpu_has_avx512());
-#endif
-#ifdef GLINT_HAS_neon
-        add(neon_kernel, true); // part of every AArch64
-#endif
-#ifdef GLINT_HAS_wasm
-        add(wasm_kernel, true); // a module with SIMD does not load elsewhere
-#endif
-    }
-
-    [[nodiscard]] std::span<const Isa> isas() const { return {isas_.data(), count_}; }
-    [[nodiscard]] const Kernel &kernel(Isa isa) const {
-        for (size_t i = 0; i < count_; ++i) {
-            if (isas_[i] == isa) return *kernels_[i];
-        }
-        return scalar_kernel;
-    }
-
-private:
-    void add(const Kernel &kernel, bool runs_here) {
-        if (!runs_here) return;
-        kernels_[count_] = &kernel;
-        isas_[count_++] = kernel.isa;
-    }
-
-    size_t count_ = 0;
-    std::array<const Kernel *, names.size()> kernels_{};
-    std::array<Isa, names.size()> isas_{};
+/// A kernel that was built in, and whether this machine can run it.
+struct BuiltIn {
+    Isa isa;
+    const Kernel *kernel;
+    bool runs_here;
 };
 
-const AvailableKernels &available() {
-    static const AvailableKernels kernels;
-    return kernels;
+/// Slowest first. A machine that can run one can run all before it.
+auto built_in() {
+    return std::array{
+        BuiltIn{Isa::scalar, &scalar_kernel, true},
+#ifdef GLINT_HAS_sse4
+        BuiltIn{Isa::sse4, &sse4_kernel, cpu_has_sse4()},
+#endif
+#ifdef GLINT_HAS_avx2
+        BuiltIn{Isa::avx2, &avx2_kernel, cpu_has_avx2()},
+#endif
+#ifdef GLINT_HAS_avx512
+        BuiltIn{Isa::avx512, &avx512_kernel, cpu_has_avx512()},
+#endif
+#ifdef GLINT_HAS_neon
+        BuiltIn{Isa::neon, &neon_kernel, true}, // part of every AArch64
+#endif
+#ifdef GLINT_HAS_wasm
+        BuiltIn{Isa::wasm, &wasm_kernel, true}, // a module with SIMD does not load elsewhere
+#endif
+    };
 }
+
+/// The names of those in built_in(), as a constant: the library keeps nothing that changes.
+constexpr Isa built_in_isas[] = {
+    Isa::scalar,
+#ifdef GLINT_HAS_sse4
+    Isa::sse4,
+#endif
+#ifdef GLINT_HAS_avx2
+    Isa::avx2,
+#endif
+#ifdef GLINT_HAS_avx512
+    Isa::avx512,
+#endif
+#ifdef GLINT_HAS_neon
+    Isa::neon,
+#endif
+#ifdef GLINT_HAS_wasm
+    Isa::wasm,
+#endif
+};
 
 } // namespace
 
 std::string_view isa_name(Isa isa) {
-    for (const NamedIsa &named : names) {
-        if (named.isa == isa) return named.name;
+    switch (isa) {
+    case Isa::scalar:
+        return "scalar";
+    case Isa::sse4:
+        return "sse4";
+    case Isa::avx2:
+        return "avx2";
+    case Isa::avx512:
+        return "avx512";
+    case Isa::neon:
+        return "neon";
+    case Isa::wasm:
+        return "wasm";
     }
     return "unknown";
 }
 
 std::span<const Isa> available_isas() {
-    return available().isas();
+    size_t count = 0;
+    for (const BuiltIn &kernel : built_in()) count += kernel.runs_here ? 1 : 0;
+    return std::span(built_in_isas).first(count);
 }
 
 Isa best_isa() {
@@ -108,14 +116,17 @@ Result<Isa> find_isa(std::string_view name) {
         there += isa_name(isa);
     }
     bool known = false;
-    for (const NamedIsa &named : names) known = known || named.name == name;
+    for (const Isa isa : every_isa) known = known || isa_name(isa) == name;
     return Error(ErrorCode::bad_input,
                  (known ? "instruction set '" : "unknown instruction set '") + std::string(name) +
                      (known ? "' is not available on this machine; there is: " : "'; there is: ") + there);
 }
 
 const Kernel &kernel_for(Isa isa) {
-    return available().kernel(isa);
+    for (const BuiltIn &kernel : built_in()) {
+        if (kernel.isa == isa && kernel.runs_here) return *kernel.kernel;
+    }
+    return scalar_kernel;
 }
 
 } // namespace glint
