@@ -169,7 +169,7 @@ class TriangleFromAnywhere {
 public:
     /// `reach` is at least the largest distance, by coordinate, between an origin and a corner of any triangle.
     HWY_INLINE TriangleFromAnywhere(const TriangleSetup &triangle, float dir_reach, float reach)
-        : triangle_(triangle), dir_reach_(dir_reach) {
+        : triangle_(triangle) {
         a_ = splat({triangle.corners[0], triangle.corners[1], triangle.corners[2]});
         e1_ = splat(triangle.e1);
         e2_ = splat(triangle.e2);
@@ -210,7 +210,6 @@ public:
 
 private:
     const TriangleSetup &triangle_;
-    float dir_reach_;
     Points a_, e1_, e2_, n_;
     Floats margin_, margin_per_q_;
 };
