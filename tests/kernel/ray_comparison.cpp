@@ -37,18 +37,20 @@ struct NamedQuery {
     std::string name;
     RayQuery query;
 };
+using NamedQueries = std::vector<std::unique_ptr<NamedQuery>>;
 
 class Comparer {
 public:
-    explicit Comparer(const std::shared_ptr<const Scene> &scene)
-        : batches_(*scene->objects()[0].mesh),
+    Comparer(const std::shared_ptr<const Scene> &scene, uint32_t brute_force_every)
+        : brute_force_every_(brute_force_every),
+          batches_(*scene->objects()[0].mesh),
           tree_(Accel::build(scene, {AccelKind::kdtree, 1})),
           brute_(Accel::build(scene, {AccelKind::brute, 1})),
           definition_(tree_, Isa::scalar) {
         for (const Isa isa : available_isas()) {
             const std::string name(isa_name(isa));
-            if (isa != Isa::scalar) others_.emplace_back(new NamedQuery{name, RayQuery(tree_, isa)});
-            others_.emplace_back(new NamedQuery{name + " by brute force", RayQuery(brute_, isa)});
+            if (isa != Isa::scalar) by_tree_.emplace_back(new NamedQuery{name, RayQuery(tree_, isa)});
+            by_force_.emplace_back(new NamedQuery{name + " by brute force", RayQuery(brute_, isa)});
         }
     }
 
@@ -68,7 +70,13 @@ public:
 private:
     Answers compare(uint32_t number, const RayRows &rows) {
         const Answers expected(definition_, rows.batch());
-        for (const auto &other : others_) {
+        compare(number, rows, expected, by_tree_);
+        if (number % brute_force_every_ == 0) compare(number, rows, expected, by_force_);
+        return expected;
+    }
+
+    void compare(uint32_t number, const RayRows &rows, const Answers &expected, const NamedQueries &queries) {
+        for (const auto &other : queries) {
             const Answers found(other->query, rows.batch());
             for (size_t i = 0; i < rows.count(); ++i) {
                 if (!found.agrees(expected, i) && result_.differences++ == 0) {
@@ -76,7 +84,6 @@ private:
                 }
             }
         }
-        return expected;
     }
 
     void note_difference(uint32_t number, const RayRows &rows, size_t i, const std::string &name, const Answers &found,
@@ -90,10 +97,11 @@ private:
         result_.first_difference = text.str();
     }
 
+    uint32_t brute_force_every_;
     BatchSet batches_;
     std::shared_ptr<const Accel> tree_, brute_;
     RayQuery definition_;
-    std::vector<std::unique_ptr<NamedQuery>> others_;
+    NamedQueries by_tree_, by_force_;
     RayComparison result_;
 };
 
@@ -107,8 +115,9 @@ RayComparison &RayComparison::operator+=(const RayComparison &other) {
     return *this;
 }
 
-RayComparison compare_rays(const std::shared_ptr<const Scene> &scene, uint32_t first, uint32_t last) {
-    Comparer comparer(scene);
+RayComparison compare_rays(const std::shared_ptr<const Scene> &scene, uint32_t first, uint32_t last,
+                           uint32_t brute_force_every) {
+    Comparer comparer(scene, brute_force_every);
     for (uint32_t number = first; number < last; ++number) comparer.compare(number);
     return comparer.result();
 }

@@ -18,8 +18,10 @@ struct RayComparison {
 };
 
 /// Traces batches first <= number < last of the scene's first mesh with the kernels of all available instruction sets,
-/// through the tree and by brute force, and compares with the scalar kernel's walk through the tree: closest hits and
-/// any hits, once up to the batches' own limits, once up to each closest hit and the floats next to it.
-[[nodiscard]] RayComparison compare_rays(const std::shared_ptr<const Scene> &scene, uint32_t first, uint32_t last);
+/// through the tree and, batches whose number `brute_force_every` divides, by brute force; compares with the scalar
+/// kernel's walk through the tree: closest hits and any hits, once up to the batches' own limits, once up to each
+/// closest hit and the floats next to it.
+[[nodiscard]] RayComparison compare_rays(const std::shared_ptr<const Scene> &scene, uint32_t first, uint32_t last,
+                                         uint32_t brute_force_every = 1);
 
 } // namespace glint::test
