@@ -1,10 +1,12 @@
-// A vector whose resize() leaves new elements as they are, for arrays that are filled right after.
+// A vector whose resize() leaves new elements as they are, for large arrays that are filled right after.
 #pragma once
 
 #include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "accel/large_memory.hpp"
 
 namespace glint {
 
@@ -16,6 +18,12 @@ template <typename T> struct UninitializedAllocator : std::allocator<T> {
     template <typename U> struct rebind {
         using other = UninitializedAllocator<U>;
     };
+
+    [[nodiscard]] T *allocate(size_t count) {
+        static_assert(alignof(T) <= 64);
+        return static_cast<T *>(allocate_large(count * sizeof(T)));
+    }
+    void deallocate(T *elements, size_t count) noexcept { free_large(elements, count * sizeof(T)); }
 
     template <typename U> void construct(U *) noexcept {}
     template <typename U, typename... Arguments> void construct(U *place, Arguments &&...arguments) {
