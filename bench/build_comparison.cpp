@@ -25,8 +25,7 @@ Result<BuildRow> compare_builds(const std::shared_ptr<const Scene> &scene, const
         Status built = Done{};
         spent_ms += time_ms([&] {
             std::shared_ptr<const Accel> accel;
-            glint_ms.push_back(
-                time_ms([&] { accel = Accel::build(scene, {.kind = AccelKind::kdtree, .threads = threads}); }));
+            glint_ms.push_back(time_ms([&] { accel = Accel::build(scene, {.threads = threads}); }));
             glint_bytes = accel->statistics().bytes;
             accel.reset();
             built = build_peer(BuildQuality::standard, peer_ms, peer_bytes);

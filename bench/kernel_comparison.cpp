@@ -16,7 +16,7 @@ namespace {
 /// either layout, to stay in the caches: who traces rays has just made them.
 constexpr size_t turn_rays = size_t{1} << 16;
 /// Rays that a thread takes at a time.
-constexpr size_t chunk_rays = size_t{1} << 10;
+constexpr size_t chunk_rays = size_t{1} << 12;
 
 /// Calls work(first, count) for rays first <= i < first + count in chunks, on all of the pool's threads.
 template <typename Work> void in_chunks(WorkerPool &pool, size_t first, size_t count, const Work &work) {

@@ -75,7 +75,7 @@ ExitCode run(BenchTableOptions &options) {
     if (!opened) return fail(opened.error());
     for (const std::string &note : opened->notes) complain(note);
 
-    const auto accel = Accel::build(file->scene, {.kind = AccelKind::kdtree, .threads = options.table.threads});
+    const auto accel = Accel::build(file->scene, {.threads = options.table.threads});
     RenderControl control;
     const InterruptGuard guard(control);
     const Result<bench::Table> table =

@@ -42,7 +42,7 @@ struct RenderCommandOptions {
     std::optional<Size> size;
     std::optional<uint32_t> depth;
     std::optional<uint32_t> threads;
-    AccelKind accel = AccelKind::kdtree;
+    AccelKind accel = AccelKind::automatic;
     Isa isa = best_isa();
     bool hash = false;
     bool stats = false;
@@ -145,8 +145,13 @@ Command add_render_command(CLI::App &parser) {
     add_size(*render, "--size", options->size, "Picture size (default: the scene's)");
     add_number(*render, "--depth", options->depth, depth_bounds, "Most recursive rays in a row (default: the scene's)");
     add_number(*render, "--threads", options->threads, thread_bounds, "Threads (default: one a processor)");
-    add_choice(*render, "--accel", options->accel, {{"kdtree", AccelKind::kdtree}, {"brute", AccelKind::brute}},
-               "How rays find triangles: through the kd-tree (default), or by testing all");
+    add_choice(*render, "--accel", options->accel,
+               {{"automatic", AccelKind::automatic},
+                {"kdtree", AccelKind::kdtree},
+                {"bvh", AccelKind::bvh},
+                {"brute", AccelKind::brute}},
+               "How rays find triangles: a kd-tree or, for many triangles, a bounding volume hierarchy "
+               "(automatic), one of them, or testing all");
     add_isa(*render, options->isa);
     render->add_flag("--hash", options->hash, "Print XXH3-64 hashes of the picture's bytes and of its linear floats");
     render->add_flag("--stats", options->stats, "Print times, rays and the tree's figures");

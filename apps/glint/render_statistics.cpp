@@ -12,9 +12,9 @@ std::string tree_text(const Accel &accel) {
     if (accel.kind() == AccelKind::brute) {
         return fmt::format("brute, {} triangles, {:.1f} bytes/triangle", tree.triangles, bytes_each);
     }
-    return fmt::format("kdtree, {} triangles, {} nodes, {} leaves ({} empty), {:.2f} references/triangle, depth {}, "
+    return fmt::format("{}, {} triangles, {} nodes, {} leaves ({} empty), {:.2f} references/triangle, depth {}, "
                        "SAH cost {:.1f}, {:.1f} bytes/triangle",
-                       tree.triangles, tree.nodes, tree.leaves, tree.empty_leaves,
+                       accel_kind_name(accel.kind()), tree.triangles, tree.nodes, tree.leaves, tree.empty_leaves,
                        static_cast<double>(tree.references) / triangles, tree.depth, tree.sah_cost, bytes_each);
 }
 

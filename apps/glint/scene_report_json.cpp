@@ -38,7 +38,7 @@ Json to_json(const Camera &camera) {
 Json tree_json(const Accel &accel) {
     const AccelStatistics &tree = accel.statistics();
     const double triangles = tree.triangles == 0 ? 1.0 : tree.triangles;
-    return {{"kind", accel.kind() == AccelKind::kdtree ? "kdtree" : "brute"},
+    return {{"kind", accel_kind_name(accel.kind())},
             {"triangles", tree.triangles},
             {"nodes", tree.nodes},
             {"leaves", tree.leaves},

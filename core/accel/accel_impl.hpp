@@ -5,6 +5,7 @@
 
 #include <glint/accel.hpp>
 
+#include "accel/bvh/wide_bvh.hpp"
 #include "accel/kd_tree.hpp"
 #include "accel/triangle_data.hpp"
 
@@ -12,8 +13,9 @@ namespace glint {
 
 struct Accel::Impl {
     std::shared_ptr<const Scene> scene;
-    AccelKind kind = AccelKind::kdtree;
-    KdTree tree;                                   ///< a single leaf for AccelKind::brute
+    AccelKind kind = AccelKind::kdtree;            ///< not automatic
+    KdTree tree;                                   ///< a single leaf for AccelKind::brute; empty for AccelKind::bvh
+    WideBvh bvh;                                   ///< empty for the other kinds
     UninitializedVector<TriangleSurface> surfaces; ///< by triangle_id
     AccelStatistics statistics;
 };

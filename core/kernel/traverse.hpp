@@ -5,6 +5,7 @@
 
 #include <glint/ray_query.hpp>
 
+#include "accel/bvh/wide_bvh.hpp"
 #include "accel/kd_tree.hpp"
 #include "kernel/intersect.hpp"
 
@@ -12,7 +13,8 @@ namespace glint {
 
 /// What is traced against. Plain pointers: shared by all kernels, owned by the Accel.
 struct GeometryView {
-    const KdNode *nodes;
+    const KdNode *nodes;             ///< of a kd-tree, or nullptr
+    const WideNode *wide_nodes;      ///< of a bounding volume hierarchy, or nullptr
     const uint32_t *leaf_words;      ///< see leaf_triangles.hpp
     const TriangleSurface *surfaces; ///< by triangle_id
     uint32_t triangle_count;
@@ -97,13 +99,55 @@ void walk_tree(const GeometryView &geometry, const PreparedRay &ray, Interval pa
     }
 }
 
+/// The same for a bounding volume hierarchy. A triangle's hits lie in its box, so boxes are as good as cells.
+template <typename Visit>
+void walk_bvh(const GeometryView &geometry, const PreparedRay &ray, const float &t_max, Visit &&visit) {
+    struct Pending {
+        uint32_t link;
+        float t_near;
+    };
+    Pending stack[(WideNode::width - 1) * max_bvh_depth + 1];
+    int pending = 0;
+    stack[pending++] = {ChildLink::node(0).word(), 0.0f};
+    while (pending > 0) {
+        const Pending now = stack[--pending];
+        if (now.t_near > search_end(t_max)) continue;
+        const ChildLink link(now.link);
+        if (link.is_leaf()) {
+            if (visit(LeafTriangles(geometry.leaf_words, link.number(), link.reference_count()))) return;
+            continue;
+        }
+        const WideNode &node = geometry.wide_nodes[link.number()];
+        const int first = pending;
+        for (uint32_t i = 0; i < WideNode::width && node.child[i] != 0; ++i) {
+            const auto &b = node.bounds;
+            const Box box{{b[0][i], b[1][i], b[2][i]}, {b[3][i], b[4][i], b[5][i]}};
+            const Interval part = clip_to_box(ray, box, t_max);
+            if (part.t_near > part.t_far) continue;
+            int place = pending++; // farther children lie deeper
+            for (; place > first && stack[place - 1].t_near < part.t_near; --place) stack[place] = stack[place - 1];
+            stack[place] = {node.child[i], part.t_near};
+        }
+    }
+}
+
+/// Calls visit(leaf) for every leaf that the ray may reach, in either structure.
+template <typename Visit>
+void walk(const GeometryView &geometry, const PreparedRay &ray, Interval part, const float &t_max, Visit &&visit) {
+    if (geometry.wide_nodes) {
+        walk_bvh(geometry, ray, t_max, visit);
+    } else {
+        walk_tree(geometry, ray, part, t_max, visit);
+    }
+}
+
 /// The nearest triangle with 0 < t <= t_max; of several at the same t, the one with the lowest id. A flat triangle
 /// never meets a ray that leaves it, so `left_triangle` (or no_triangle) is passed over.
 inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max,
                        uint32_t left_triangle = no_triangle) {
     Hit best{t_max, no_triangle};
     const Interval part = clip_to_box(ray, geometry.bounds, t_max);
-    walk_tree(geometry, ray, part, best.t, [&](const LeafTriangles &leaf) {
+    walk(geometry, ray, part, best.t, [&](const LeafTriangles &leaf) {
         for (uint32_t i = 0; i < leaf.count(); ++i) {
             const uint32_t id = leaf.triangle_id(i);
             if (id == left_triangle) continue;
@@ -120,7 +164,7 @@ inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, flo
 template <typename CanBlock>
 bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, CanBlock &&can_block) {
     bool blocked = false;
-    walk_tree(geometry, ray, {0.0f, search_end(t_max)}, t_max, [&](const LeafTriangles &leaf) {
+    walk(geometry, ray, {0.0f, search_end(t_max)}, t_max, [&](const LeafTriangles &leaf) {
         for (uint32_t i = 0; i < leaf.count() && !blocked; ++i) {
             if (!can_block(leaf.triangle_id(i))) continue;
             const float t = intersect(ray, leaf.corners(i));

@@ -9,8 +9,13 @@ namespace glint {
 /// Valid while the Accel lives.
 [[nodiscard]] inline GeometryView view_of(const Accel &accel) {
     const Accel::Impl &impl = accel.impl();
-    return {impl.tree.nodes.data(), impl.tree.leaf_words.data(), impl.surfaces.data(), impl.scene->triangle_count(),
-            impl.tree.bounds};
+    const bool is_bvh = impl.kind == AccelKind::bvh;
+    return {is_bvh ? nullptr : impl.tree.nodes.data(),
+            is_bvh ? impl.bvh.nodes.data() : nullptr,
+            is_bvh ? impl.bvh.leaf_words.data() : impl.tree.leaf_words.data(),
+            impl.surfaces.data(),
+            impl.scene->triangle_count(),
+            is_bvh ? impl.bvh.bounds : impl.tree.bounds};
 }
 
 } // namespace glint

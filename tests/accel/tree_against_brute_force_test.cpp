@@ -26,7 +26,10 @@ constexpr uint32_t rays_per_mesh = 1'000'000;
 
 constexpr auto everything = [](uint32_t) { return true; };
 
-class EveryMesh : public testing::TestWithParam<NamedMesh> {};
+class EveryMesh : public testing::TestWithParam<NamedMesh> {
+protected:
+    static void compare_with_brute_force(AccelKind kind);
+};
 
 std::string describe(const Ray &ray, const Hit &tree, const Hit &brute) {
     std::ostringstream text;
@@ -37,8 +40,16 @@ std::string describe(const Ray &ray, const Hit &tree, const Hit &brute) {
 }
 
 TEST_P(EveryMesh, kdtree_finds_what_brute_force_finds) {
+    compare_with_brute_force(AccelKind::kdtree);
+}
+TEST_P(EveryMesh, bvh_finds_what_brute_force_finds) {
+    compare_with_brute_force(AccelKind::bvh);
+}
+
+void EveryMesh::compare_with_brute_force(AccelKind kind) {
     const auto scene = scene_of(GetParam().mesh);
-    const auto accel = Accel::build(scene);
+    const auto accel = Accel::build(scene, {kind});
+    ASSERT_EQ(accel->kind(), kind);
     const GeometryView tree = geometry_of(*accel);
     const auto oracle = Accel::build(scene, {AccelKind::brute});
     const GeometryView brute = geometry_of(*oracle);
@@ -96,8 +107,8 @@ class EveryClosedMesh : public testing::TestWithParam<NamedMesh> {};
 TEST_P(EveryClosedMesh, no_ray_from_inside_escapes_at_a_vertex_or_an_edge) {
     const auto scene = scene_of(GetParam().mesh);
     const Mesh &mesh = *scene->objects()[0].mesh;
-    const auto accel = Accel::build(scene);
-    const GeometryView tree = geometry_of(*accel);
+    const auto accel = Accel::build(scene, {AccelKind::kdtree}), other = Accel::build(scene, {AccelKind::bvh});
+    const GeometryView tree = geometry_of(*accel), hierarchy = geometry_of(*other);
     const auto oracle = Accel::build(scene, {AccelKind::brute});
     const GeometryView brute = geometry_of(*oracle);
     const LeafTriangles triangles(brute.leaf_words, 0, brute.triangle_count);
@@ -113,13 +124,15 @@ TEST_P(EveryClosedMesh, no_ray_from_inside_escapes_at_a_vertex_or_an_edge) {
         const Point org = random.in_box(tree.bounds.lo, tree.bounds.hi);
         const PreparedRay probe({org, normalize(Vector(0.3f, 0.5f, 0.8f))}, tree.bounds);
         int crossings = 0;
-        for (uint32_t id = 0; id < brute.triangle_count; ++id) crossings += intersect(probe, triangles.corners(id)) > 0.0f;
+        for (uint32_t id = 0; id < brute.triangle_count; ++id)
+            crossings += intersect(probe, triangles.corners(id)) > 0.0f;
         if (crossings % 2 == 0) continue;
         ++origins;
         for (const Point &target : targets) {
             const PreparedRay ray({org, target - org}, tree.bounds); // not normalised: t = 1 is the target
             const Hit hit = closest_hit(tree, ray, FLT_MAX);
             misses += hit.triangle_id == no_triangle;
+            misses += closest_hit(hierarchy, ray, FLT_MAX).triangle_id == no_triangle;
             misses += closest_hit(brute, ray, FLT_MAX).triangle_id == no_triangle;
         }
     }

@@ -16,16 +16,24 @@ const std::filesystem::path source = GLINT_SOURCE_DIR;
 const std::filesystem::path scenes = source / "scenes" / "sdl";
 const std::filesystem::path table_file = source / "tests" / "golden" / "pictures.txt";
 
-/// A scene's tree; built once, however many pictures there are of it.
-std::shared_ptr<const Accel> accel_of(const std::string &scene) {
-    static std::map<std::string, std::shared_ptr<const Accel>> trees;
-    std::shared_ptr<const Accel> &tree = trees[scene];
-    if (!tree) {
-        const auto file = read_scene(scenes / (scene + ".sdl"));
+/// A scene; read once, however many pictures there are of it.
+std::shared_ptr<const Scene> scene_named(const std::string &name) {
+    static std::map<std::string, std::shared_ptr<const Scene>> known;
+    std::shared_ptr<const Scene> &scene = known[name];
+    if (!scene) {
+        const auto file = read_scene(scenes / (name + ".sdl"));
         if (!file) throw std::runtime_error(file.error().text());
-        tree = Accel::build(file->scene);
+        scene = file->scene;
     }
-    return tree;
+    return scene;
+}
+
+/// What is built for it; also once.
+std::shared_ptr<const Accel> accel_of(const std::string &scene, AccelKind kind = AccelKind::automatic) {
+    static std::map<std::pair<std::string, AccelKind>, std::shared_ptr<const Accel>> known;
+    std::shared_ptr<const Accel> &accel = known[{scene, kind}];
+    if (!accel) accel = Accel::build(scene_named(scene), {kind});
+    return accel;
 }
 
 /// A picture worth keeping is not black and not of one colour.
@@ -56,6 +64,12 @@ TEST_P(EveryPicture, keeps_its_hashes_for_every_instruction_set_and_number_of_th
                 << isa_name(isa) << ", " << threads << " threads; the line of the table is: " << golden;
         }
     }
+    // The other structure finds the same.
+    const AccelKind other = accel->kind() == AccelKind::kdtree ? AccelKind::bvh : AccelKind::kdtree;
+    EXPECT_EQ(
+        hashes_of(render(accel_of(golden.scene, other), golden.width, golden.height, golden.depth, {.threads = 2})),
+        golden.hashes)
+        << accel_kind_name(other);
     constexpr uint32_t fewest_pixels_to_judge = 1000;
     if (golden.width * golden.height < fewest_pixels_to_judge) return;
     expect_something_to_see(render(accel, golden.width, golden.height, golden.depth, {.threads = 2}));

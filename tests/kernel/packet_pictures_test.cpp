@@ -162,6 +162,16 @@ Picture picture_of(const std::shared_ptr<const Accel> &accel, Isa isa, uint32_t 
     return picture;
 }
 
+std::vector<std::pair<std::shared_ptr<const Accel>, Isa>> every_way(const std::shared_ptr<const Accel> &tree,
+                                                                    const std::shared_ptr<const Accel> &hierarchy) {
+    std::vector<std::pair<std::shared_ptr<const Accel>, Isa>> ways;
+    for (const Isa isa : available_isas()) {
+        ways.emplace_back(tree, isa);
+        ways.emplace_back(hierarchy, isa);
+    }
+    return ways;
+}
+
 /// The number of the first float that differs in its bits; that of floats where none does.
 size_t first_difference(const Framebuffer &a, const Framebuffer &b) {
     const size_t count = size_t{3} * a.width_px() * a.height_px();
@@ -174,7 +184,8 @@ size_t first_difference(const Framebuffer &a, const Framebuffer &b) {
 class EveryOddScene : public testing::TestWithParam<OddScene> {};
 
 TEST_P(EveryOddScene, looks_the_same_with_every_kernel_at_every_size) {
-    const auto accel = Accel::build(GetParam().make());
+    const auto scene = GetParam().make();
+    const auto tree = Accel::build(scene, {AccelKind::kdtree}), hierarchy = Accel::build(scene, {AccelKind::bvh});
 #ifdef GLINT_SANITIZED
     const std::pair<uint32_t, uint32_t> sizes[] = {{1, 1}, {17, 5}};
 #else
@@ -182,11 +193,12 @@ TEST_P(EveryOddScene, looks_the_same_with_every_kernel_at_every_size) {
                                                    {17, 5}, {3, 33}, {33, 17}, {90, 70}};
 #endif
     for (const auto &[width, height] : sizes) {
-        const Picture expected = picture_of(accel, Isa::scalar, width, height, GetParam().depth);
-        for (const Isa isa : available_isas()) {
+        const Picture expected = picture_of(tree, Isa::scalar, width, height, GetParam().depth);
+        for (const auto &[accel, isa] : every_way(tree, hierarchy)) {
             const Picture found = picture_of(accel, isa, width, height, GetParam().depth);
             const size_t i = first_difference(found.pixels, expected.pixels);
-            const auto where = ::testing::Message() << isa_name(isa) << ", " << width << " x " << height;
+            const auto where = ::testing::Message() << isa_name(isa) << ", " << accel_kind_name(accel->kind()) << ", "
+                                                    << width << " x " << height;
             EXPECT_EQ(i, size_t{3} * width * height)
                 << where << ": channel " << i % 3 << " of pixel " << i / 3 << " is " << found.pixels.radiance()[i]
                 << " instead of " << expected.pixels.radiance()[i];

@@ -45,11 +45,13 @@ public:
         : brute_force_every_(brute_force_every),
           batches_(*scene->objects()[0].mesh),
           tree_(Accel::build(scene, {AccelKind::kdtree, 1})),
+          bvh_(Accel::build(scene, {AccelKind::bvh, 2})),
           brute_(Accel::build(scene, {AccelKind::brute, 1})),
           definition_(tree_, Isa::scalar) {
         for (const Isa isa : available_isas()) {
             const std::string name(isa_name(isa));
             if (isa != Isa::scalar) by_tree_.emplace_back(new NamedQuery{name, RayQuery(tree_, isa)});
+            by_tree_.emplace_back(new NamedQuery{name + " by hierarchy", RayQuery(bvh_, isa)});
             by_force_.emplace_back(new NamedQuery{name + " by brute force", RayQuery(brute_, isa)});
         }
     }
@@ -99,7 +101,7 @@ private:
 
     uint32_t brute_force_every_;
     BatchSet batches_;
-    std::shared_ptr<const Accel> tree_, brute_;
+    std::shared_ptr<const Accel> tree_, bvh_, brute_;
     RayQuery definition_;
     NamedQueries by_tree_, by_force_;
     RayComparison result_;

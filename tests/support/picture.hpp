@@ -21,7 +21,7 @@ inline Framebuffer render(const std::shared_ptr<const Accel> &accel, uint32_t wi
 
 /// The same, of a scene that is rendered once, with the best instruction set.
 inline Framebuffer render(const std::shared_ptr<const Scene> &scene, uint32_t width, uint32_t height, uint32_t depth,
-                          unsigned threads = 2, AccelKind kind = AccelKind::kdtree) {
+                          unsigned threads = 2, AccelKind kind = AccelKind::automatic) {
     return render(Accel::build(scene, {kind, 1}), width, height, depth, {.threads = threads});
 }
 

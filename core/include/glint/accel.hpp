@@ -1,8 +1,9 @@
-// The acceleration structure over a scene's triangles: a kd-tree, or none.
+// The acceleration structure over a scene's triangles: a kd-tree, a bounding volume hierarchy, or none.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <string_view>
 
 #include <glint/export.hpp>
 #include <glint/scene.hpp>
@@ -11,13 +12,21 @@ namespace glint {
 
 /// How a ray finds the triangles it may meet.
 enum class AccelKind {
-    kdtree, ///< surface-area-heuristic kd-tree
-    brute,  ///< every ray tests every triangle: slow, and the oracle that the tree is tested against
+    automatic, ///< kdtree or bvh, whichever was measured to be faster for so many triangles
+    kdtree,    ///< surface-area-heuristic kd-tree: for few triangles, many pixels large
+    bvh,       ///< bounding volume hierarchy, eight children a node: for many small triangles
+    brute,     ///< every ray tests every triangle: slow, and the oracle that the trees are tested against
 };
 
+/// "automatic", "kdtree", "bvh" or "brute".
+[[nodiscard]] GLINT_API std::string_view accel_kind_name(AccelKind kind);
+
+/// AccelKind::automatic is a kd-tree up to so many triangles.
+inline constexpr uint32_t most_triangles_for_kdtree = 4000;
+
 struct AccelOptions {
-    AccelKind kind = AccelKind::kdtree;
-    unsigned threads = 0; ///< threads that build; 0 = one a processor. The tree does not depend on it
+    AccelKind kind = AccelKind::automatic; ///< decides about speed only: pictures and hits are the same to the bit
+    unsigned threads = 0;                  ///< threads that build; 0 = one a processor. The tree does not depend on it
 };
 
 /// What the tree is like. AccelKind::brute is a tree of one leaf.
@@ -28,7 +37,7 @@ struct AccelStatistics {
     uint64_t empty_leaves = 0;
     uint64_t references = 0; ///< triangles in all leaves; references / triangles says how often triangles were cut
     uint32_t depth = 0;      ///< of the deepest leaf; a lone leaf has depth 0
-    double sah_cost = 0.0;   ///< expected cost of a random ray, in steps through nodes (MacDonald & Booth 1990)
+    double sah_cost = 0.0;   ///< expected cost of a random ray, in nodes visited (MacDonald & Booth 1990)
     uint64_t bytes = 0;      ///< nodes, leaves with their triangles, and what a hit needs to know of its triangle
     double build_seconds = 0.0;
 };
@@ -44,6 +53,7 @@ public:
     Accel &operator=(const Accel &) = delete;
 
     [[nodiscard]] const Scene &scene() const;
+    /// What was built; never AccelKind::automatic.
     [[nodiscard]] AccelKind kind() const;
     [[nodiscard]] const AccelStatistics &statistics() const;
 

@@ -5,126 +5,142 @@
 
 namespace glint::HWY_NAMESPACE {
 
-/// Rays of a batch as a group. Those whose directions have the same signs stand together, since such rays go through
-/// the tree in the same order.
-class BatchGroup {
-public:
-    HWY_INLINE BatchGroup(const RayBatch &batch, size_t first, uint32_t count) : first_(first), count_(count) {
-        put_all(batch);
-        const Uints sign_bit = hn::Set(uints, 0x80000000u);
-        const Points org = splat({rays_.org_x[0], rays_.org_y[0], rays_.org_z[0]});
-        const Points dir = splat({rays_.dir_x[0], rays_.dir_y[0], rays_.dir_z[0]});
-        uint32_t other_origins = 0;
-        Uints other_signs = hn::Zero(uints);
-        const auto against = [](Floats a, Floats b) { return hn::Xor(hn::BitCast(uints, a), hn::BitCast(uints, b)); };
-        for (uint32_t i = 0; i < count; i += lane_count) {
-            const Points o = rays_.org(i), d = rays_.dir(i);
-            other_origins |= bits_of(hn::Or(hn::Or(hn::Ne(o.x, org.x), hn::Ne(o.y, org.y)), hn::Ne(o.z, org.z)));
-            other_signs =
-                hn::Or(hn::Or(other_signs, against(d.x, dir.x)), hn::Or(against(d.y, dir.y), against(d.z, dir.z)));
-        }
-        shares_origin_ = other_origins == 0;
-        one_order_ =
-            bits_of(hn::RebindMask(floats, hn::Eq(hn::And(other_signs, sign_bit), hn::Zero(uints)))) == all_lanes;
-        if (!one_order_) {
-            sort_by_signs();
-            put_all(batch);
-        }
+/// So many rays of a batch are put in order together: those whose directions have the same signs, since such rays go
+/// through a tree in the same order. Beams are best made of neighbours alone; the wide hierarchy's streams get the
+/// better the more rays go the same way.
+inline constexpr uint32_t beam_window = group_size, stream_window = 8 * group_size;
 
-        rays_.shared_origin = {batch.org_x[first], batch.org_y[first], batch.org_z[first]};
-        selection_.clear();
-        for (uint32_t i = 0; i < count; i += lane_count) {
-            hn::Store(hn::Set(uints, no_triangle), uints, rays_.triangle_id + i);
-            hn::Store(hn::Set(uints, no_triangle), uints, rays_.left + i);
-            selection_.add(i, count - i >= lane_count ? all_lanes : (1u << (count - i)) - 1);
+class BatchWindow {
+public:
+    HWY_INLINE BatchWindow(const RayBatch &batch, size_t first, uint32_t count)
+        : batch_(batch), first_(first), count_(count) {
+        Uints other_signs = hn::Zero(uints);
+        const auto add_differences = [&](const float *row) {
+            const Uints like = hn::BitCast(uints, splat(row[first]));
+            for (uint32_t i = 0; i < count; i += lane_count) {
+                const auto valid = hn::FirstN(floats, count - i);
+                const Uints differing =
+                    hn::Xor(hn::BitCast(uints, hn::MaskedLoad(valid, floats, row + first + i)), like);
+                other_signs = hn::Or(other_signs, hn::IfThenElseZero(hn::RebindMask(uints, valid), differing));
+            }
+        };
+        add_differences(batch.dir_x);
+        add_differences(batch.dir_y);
+        add_differences(batch.dir_z);
+        const Uints sign_bits = hn::And(other_signs, hn::Set(uints, 0x80000000u));
+        one_order_ = bits_of(hn::RebindMask(floats, hn::Eq(sign_bits, hn::Zero(uints)))) == all_lanes;
+        if (!one_order_) sort_by_signs();
+    }
+
+    template <typename Trace> HWY_INLINE void for_each_group(Trace &&trace) {
+        for (uint32_t begin = 0; begin < count_; begin += group_size) {
+            begin_ = begin;
+            group_count_ = smaller(count_ - begin, group_size);
+            fill();
+            trace(rays_, selection_, shares_origin_);
         }
     }
 
-    template <bool any_hit> HWY_INLINE void trace(const TraceQuestion &question, BeamHistory &history) {
-        if (shares_origin_) {
-            HWY_NAMESPACE::trace<true, any_hit>(question, rays_, selection_, history);
-        } else {
-            HWY_NAMESPACE::trace<false, any_hit>(question, rays_, selection_, history);
-        }
+    /// Ray i of the group, as a number in the batch.
+    [[nodiscard]] HWY_INLINE size_t ray(uint32_t i) const {
+        return first_ + (one_order_ ? begin_ + i : order_[begin_ + i]);
     }
 
     HWY_INLINE void take(const HitBatch &hits) const {
         if (one_order_) {
-            __builtin_memcpy(hits.t + first_, rays_.t, count_ * sizeof(float));
-            __builtin_memcpy(hits.triangle_id + first_, rays_.triangle_id, count_ * sizeof(uint32_t));
+            __builtin_memcpy(hits.t + ray(0), rays_.t, group_count_ * sizeof(float));
+            __builtin_memcpy(hits.triangle_id + ray(0), rays_.triangle_id, group_count_ * sizeof(uint32_t));
             return;
         }
-        for (uint32_t i = 0; i < count_; ++i) {
-            hits.t[first_ + i] = rays_.t[place_[i]];
-            hits.triangle_id[first_ + i] = rays_.triangle_id[place_[i]];
+        for (uint32_t i = 0; i < group_count_; ++i) {
+            hits.t[ray(i)] = rays_.t[i];
+            hits.triangle_id[ray(i)] = rays_.triangle_id[i];
         }
     }
     HWY_INLINE void take(uint8_t *occluded) const {
-        for (uint32_t i = 0; i < count_; ++i) {
-            const uint32_t place = one_order_ ? i : place_[i];
-            occluded[first_ + i] = (selection_.blocks[place / block_size] >> (place % block_size) & 1) != 0 ? 0 : 1;
+        for (uint32_t i = 0; i < group_count_; ++i) {
+            occluded[ray(i)] = (selection_.blocks[i / block_size] >> (i % block_size) & 1) != 0 ? 0 : 1;
         }
     }
 
 private:
-    /// Finds each ray's place: rays with the same signs stand together, otherwise in the batch's order.
+    /// Rays with the same signs stand together, otherwise in the batch's order.
     HWY_INLINE void sort_by_signs() {
         uint32_t starts[9] = {};
-        uint8_t signs[group_size];
-        for (uint32_t i = 0; i < count_; ++i) {
-            signs[i] = static_cast<uint8_t>((__builtin_signbit(rays_.dir_x[i]) ? 1 : 0) |
-                                            (__builtin_signbit(rays_.dir_y[i]) ? 2 : 0) |
-                                            (__builtin_signbit(rays_.dir_z[i]) ? 4 : 0));
-            ++starts[signs[i] + 1];
-        }
+        const auto signs = [&](uint32_t i) {
+            return (__builtin_signbit(batch_.dir_x[first_ + i]) ? 1u : 0u) |
+                   (__builtin_signbit(batch_.dir_y[first_ + i]) ? 2u : 0u) |
+                   (__builtin_signbit(batch_.dir_z[first_ + i]) ? 4u : 0u);
+        };
+        for (uint32_t i = 0; i < count_; ++i) ++starts[signs(i) + 1];
         for (uint32_t octant = 0; octant < 8; ++octant) starts[octant + 1] += starts[octant];
-        for (uint32_t i = 0; i < count_; ++i) place_[i] = static_cast<uint8_t>(starts[signs[i]]++);
+        for (uint32_t i = 0; i < count_; ++i) order_[starts[signs(i)]++] = static_cast<uint16_t>(i);
     }
 
-    HWY_INLINE void put_all(const RayBatch &batch) {
-        put(rays_.org_x, batch.org_x);
-        put(rays_.org_y, batch.org_y);
-        put(rays_.org_z, batch.org_z);
-        put(rays_.dir_x, batch.dir_x);
-        put(rays_.dir_y, batch.dir_y);
-        put(rays_.dir_z, batch.dir_z);
-        put(rays_.t, batch.t_max);
+    /// Makes the group.
+    HWY_INLINE void fill() {
+        put(rays_.org_x, batch_.org_x);
+        put(rays_.org_y, batch_.org_y);
+        put(rays_.org_z, batch_.org_z);
+        put(rays_.dir_x, batch_.dir_x);
+        put(rays_.dir_y, batch_.dir_y);
+        put(rays_.dir_z, batch_.dir_z);
+        put(rays_.t, batch_.t_max);
+        rays_.shared_origin = {rays_.org_x[0], rays_.org_y[0], rays_.org_z[0]};
+        const Points org = splat(rays_.shared_origin);
+        uint32_t other_origins = 0;
+        selection_.clear();
+        for (uint32_t i = 0; i < group_count_; i += lane_count) {
+            const Points o = rays_.org(i);
+            other_origins |= bits_of(hn::Or(hn::Or(hn::Ne(o.x, org.x), hn::Ne(o.y, org.y)), hn::Ne(o.z, org.z)));
+            hn::Store(hn::Set(uints, no_triangle), uints, rays_.triangle_id + i);
+            hn::Store(hn::Set(uints, no_triangle), uints, rays_.left + i);
+            selection_.add(i, group_count_ - i >= lane_count ? all_lanes : (1u << (group_count_ - i)) - 1);
+        }
+        shares_origin_ = other_origins == 0;
     }
     HWY_INLINE void put(float *to, const float *from) const {
         if (one_order_) {
-            __builtin_memcpy(to, from + first_, count_ * sizeof(float));
+            __builtin_memcpy(to, from + ray(0), group_count_ * sizeof(float));
         } else {
-            for (uint32_t i = 0; i < count_; ++i) to[place_[i]] = from[first_ + i];
+            for (uint32_t i = 0; i < group_count_; ++i) to[i] = from[ray(i)];
         }
-        for (uint32_t i = count_; i % block_size != 0; ++i) to[i] = to[0]; // lanes that are loaded, but not used
+        for (uint32_t i = group_count_; i % block_size != 0; ++i) to[i] = to[0]; // lanes that are loaded, but not used
     }
 
+    const RayBatch &batch_;
     size_t first_;
-    uint32_t count_;
+    uint32_t count_, begin_ = 0, group_count_ = 0;
     bool shares_origin_ = false, one_order_ = true;
-    uint8_t place_[group_size]; ///< of each ray in the group, where not one_order_
+    uint16_t order_[stream_window]; ///< the rays' numbers from first_ on, where not one_order_
     RayGroup rays_;
     RaySelection selection_;
 };
 
-HWY_INLINE void closest_hits(const GeometryView &geometry, const RayBatch &batch, const HitBatch &hits) {
+template <bool any_hit, typename Answers>
+HWY_INLINE void answer(const GeometryView &geometry, const RayBatch &batch, const Answers &answers) {
     const TraceQuestion question{geometry};
+    const size_t window_size = geometry.wide_nodes ? stream_window : beam_window;
     BeamHistory history{};
-    for (size_t first = 0; first < batch.count; first += group_size) {
-        BatchGroup group(batch, first, static_cast<uint32_t>(smaller(batch.count - first, size_t{group_size})));
-        group.trace<false>(question, history);
-        group.take(hits);
+    for (size_t first = 0; first < batch.count; first += window_size) {
+        BatchWindow window(batch, first, static_cast<uint32_t>(smaller(batch.count - first, window_size)));
+        window.for_each_group([&](RayGroup &rays, RaySelection &selection, bool shares_origin) {
+            if (shares_origin) {
+                trace<true, any_hit>(question, rays, selection, history);
+            } else {
+                trace<false, any_hit>(question, rays, selection, history);
+            }
+            window.take(answers);
+        });
     }
 }
 
+HWY_INLINE void closest_hits(const GeometryView &geometry, const RayBatch &batch, const HitBatch &hits) {
+    answer<false>(geometry, batch, hits);
+}
+
 HWY_INLINE void any_hits(const GeometryView &geometry, const RayBatch &batch, uint8_t *occluded) {
-    const TraceQuestion question{geometry};
-    BeamHistory history{};
-    for (size_t first = 0; first < batch.count; first += group_size) {
-        BatchGroup group(batch, first, static_cast<uint32_t>(smaller(batch.count - first, size_t{group_size})));
-        group.trace<true>(question, history);
-        group.take(occluded);
-    }
+    answer<true>(geometry, batch, occluded);
 }
 
 } // namespace glint::HWY_NAMESPACE

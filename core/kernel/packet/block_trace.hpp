@@ -151,7 +151,9 @@ private:
             const Point3 d = {rays_.dir_x[i], rays_.dir_y[i], rays_.dir_z[i]};
             float t = rays_.t[i];
             uint32_t id = rays_.triangle_id[i];
-            if (!hit_leaf<any_hit>(question_, node, o, d, dir_reach_, reach_, rays_.left[i], t, id)) continue;
+            if (!hit_leaf<any_hit>(question_, node.first_reference(), node.reference_count(), o, d, dir_reach_, reach_,
+                                   rays_.left[i], t, id))
+                continue;
             hits_ |= 1u << lane;
             if constexpr (any_hit) {
                 end_[lane] = -1.0f;

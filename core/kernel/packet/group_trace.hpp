@@ -3,6 +3,7 @@
 
 #include "kernel/packet/block_beams.hpp"
 #include "kernel/packet/triangle_test.hpp"
+#include "kernel/packet/wide_lanes.hpp"
 #include "kernel/traverse.hpp"
 
 namespace glint::HWY_NAMESPACE {
@@ -36,7 +37,45 @@ public:
 
     /// False when the beam turned out to be too wide for what is there: `budget` steps did not do. What was found so
     /// far stands, and makes the next attempt with fewer rays cheaper.
-    HWY_INLINE bool run(uint32_t budget) {
+    HWY_INLINE bool walk_bvh(uint32_t budget) {
+        const WideNode *const nodes = question_.geometry.wide_nodes;
+        uint64_t stack[bvh_stack_size];
+        uint64_t *top = stack;
+        ChildLink next = ChildLink::node(0);
+        while (true) {
+            if (!next.is_leaf()) {
+                steps_ += 2;
+                if (steps_ > budget) return false;
+                const WideNode &node = nodes[next.number()];
+                alignas(32) float begins[WideNode::width];
+                uint32_t entered = children_in_beam(beam_, node, begins);
+                if (entered != 0) {
+                    uint64_t nearest = pending_child(node, begins, lowest_bit(entered));
+                    uint64_t *const bottom = top;
+                    while ((entered &= entered - 1) != 0) {
+                        const uint64_t other = pending_child(node, begins, lowest_bit(entered));
+                        const uint64_t farther = larger(nearest, other);
+                        nearest = smaller(nearest, other);
+                        uint64_t *place = top++;
+                        for (; place != bottom && place[-1] < farther; --place) *place = place[-1];
+                        *place = farther;
+                    }
+                    next = ChildLink(static_cast<uint32_t>(nearest));
+                    continue;
+                }
+            } else if (visit_leaf(next.number(), next.reference_count())) {
+                return true;
+            }
+            do {
+                if (top == stack) return true;
+                --top;
+            } while (begin_of(*top) > beam_.z_end);
+            next = ChildLink(static_cast<uint32_t>(*top));
+        }
+    }
+
+    /// The same for the kd-tree.
+    HWY_INLINE bool walk_kd_tree(uint32_t budget) {
         const GeometryView &geometry = question_.geometry;
         Cell cell = root_cell(geometry.bounds);
         if (!enter(cell)) return true;
@@ -106,7 +145,7 @@ public:
                         continue;
                     }
                 }
-            } else if (visit_leaf(node)) {
+            } else if (visit_leaf(node.first_reference(), node.reference_count())) {
                 return true;
             }
             do {
@@ -152,9 +191,8 @@ private:
     }
 
     /// True when there is nothing left to trace.
-    HWY_INLINE bool visit_leaf(const KdNode &node) {
-        const uint32_t count = node.reference_count();
-        const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{node.first_reference()};
+    HWY_INLINE bool visit_leaf(uint32_t first_reference, uint32_t count) {
+        const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{first_reference};
         dirty_blocks_ = 0;
         for (uint32_t first = 0; first < count; first += lane_count) {
             const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
@@ -162,32 +200,25 @@ private:
             uint32_t entered = triangles_in_beam(beam_, corners) & valid;
             if (entered == 0) continue;
             steps_ += 2 * static_cast<uint32_t>(__builtin_popcount(entered));
-            if (any_hit || (entered & (entered - 1)) == 0) {
-                for (; entered != 0; entered &= entered - 1) test(words, count, first + lowest_bit(entered));
-            } else {
-                test_by_depth(words, count, first, entered, min3(corners.z[0], corners.z[1], corners.z[2]));
+            // Nearest first, as long as they are not beyond what all rays hit.
+            alignas(64) float depth[lane_count];
+            if constexpr (!any_hit) hn::Store(min3(corners.z[0], corners.z[1], corners.z[2]), floats, depth);
+            while (entered != 0) {
+                uint32_t nearest = lowest_bit(entered);
+                if constexpr (!any_hit) {
+                    for (uint32_t rest = entered & (entered - 1); rest != 0; rest &= rest - 1) {
+                        if (depth[lowest_bit(rest)] < depth[nearest]) nearest = lowest_bit(rest);
+                    }
+                    if (depth[nearest] > beam_.z_end) break;
+                }
+                entered &= ~(1u << nearest);
+                test(words, count, first + nearest);
             }
         }
         if (dirty_blocks_ == 0) return false;
         if (any_hit && selection_.empty()) return true;
         update_group_end();
         return false;
-    }
-
-    /// Nearest first, as long as they are not beyond what all rays hit.
-    HWY_INLINE void test_by_depth(const uint32_t *words, uint32_t count, uint32_t first, uint32_t entered,
-                                  Floats depths) {
-        alignas(64) float depth[lane_count];
-        hn::Store(depths, floats, depth);
-        while (entered != 0) {
-            uint32_t nearest = lowest_bit(entered);
-            for (uint32_t rest = entered & (entered - 1); rest != 0; rest &= rest - 1) {
-                if (depth[lowest_bit(rest)] < depth[nearest]) nearest = lowest_bit(rest);
-            }
-            if (depth[nearest] > beam_.z_end) return;
-            entered &= ~(1u << nearest);
-            test(words, count, first + nearest);
-        }
     }
 
     HWY_INLINE void test(const uint32_t *words, uint32_t count, uint32_t i) {

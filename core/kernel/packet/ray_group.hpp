@@ -50,6 +50,15 @@ template <typename Visit> HWY_INLINE void for_each_vector(const RaySelection &se
     }
 }
 
+/// Calls visit(ray) for every selected ray; it may deselect that ray.
+template <typename Visit> HWY_INLINE void for_each_ray(const RaySelection &selection, Visit &&visit) {
+    for (uint32_t block = 0; block < block_count; ++block) {
+        for (uint32_t bits = selection.blocks[block]; bits != 0; bits &= bits - 1) {
+            visit(block * block_size + lowest_bit(bits));
+        }
+    }
+}
+
 struct alignas(64) RayGroup {
     float org_x[group_size], org_y[group_size], org_z[group_size]; ///< not read where all rays share an origin
     float dir_x[group_size], dir_y[group_size], dir_z[group_size];

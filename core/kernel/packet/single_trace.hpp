@@ -1,7 +1,7 @@
 // One ray against the kd-tree, several triangles of a leaf at once: for rays that go their own way.
 #pragma once
 
-#include "kernel/packet/group_trace.hpp"
+#include "kernel/packet/leaf_test.hpp"
 
 namespace glint::HWY_NAMESPACE {
 
@@ -28,53 +28,16 @@ struct SingleRay {
 /// One ray against the triangles of a leaf. `dir_reach` and `reach` are at least the largest coordinate of the
 /// direction and of the way from the origin to any corner. Lowers best_t and sets best_id where something nearer is
 /// hit, or as near with a lower id; where any hit will do, stops at the first. Returns whether there was one.
-template <bool any_hit> HWY_INLINE bool hit_leaf(const TraceQuestion &question, const KdNode &node, const Point3 &org,
-                                                 const Point3 &dir, float dir_reach, float reach, uint32_t left,
-                                                 float &best_t, uint32_t &best_id) {
-    const uint32_t count = node.reference_count();
-    const uint32_t *words = question.geometry.leaf_words + words_per_reference * size_t{node.first_reference()};
-    const Points o = splat(org), d = splat(dir);
+template <bool any_hit> HWY_INLINE bool hit_leaf(const TraceQuestion &question, uint32_t first_reference,
+                                                 uint32_t count, const Point3 &org, const Point3 &dir, float dir_reach,
+                                                 float reach, uint32_t left, float &best_t, uint32_t &best_id) {
+    const uint32_t *words = question.geometry.leaf_words + words_per_reference * size_t{first_reference};
     bool hit = false;
-    for (uint32_t first = 0; first < count; first += lane_count) {
-        const uint32_t valid = count - first >= lane_count ? all_lanes : (1u << (count - first)) - 1;
-        const auto row = [&](uint32_t r) { return hn::BitCast(floats, hn::LoadU(uints, words + r * count + first)); };
-        const Points a = {row(0), row(1), row(2)};
-        const Points e1 = {row(3) - a.x, row(4) - a.y, row(5) - a.z};
-        const Points e2 = {row(6) - a.x, row(7) - a.y, row(8) - a.z};
-        const Points s = {o.x - a.x, o.y - a.y, o.z - a.z};
-        const Points q = {d.y * s.z - d.z * s.y, d.z * s.x - d.x * s.z, d.x * s.y - d.y * s.x};
-        const Points n = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x};
-        const Floats e = hn::Max(max_abs(e1), max_abs(e2));
-        const Floats margin = splat(from_anywhere_error * dir_reach) * e * (splat(reach) + (e + e)) +
-                              (splat(from_anywhere_cross_error) * e * sum_abs(q) + splat(least_margin));
-        const FilterResult result = judge(dot(n, d), dot(e2, q), hn::Neg(dot(e1, q)), margin);
-        const uint32_t certain = bits_of(result.certain);
-        for (uint32_t possible = bits_of(result.possible) & valid; possible != 0; possible &= possible - 1) {
-            const uint32_t lane = lowest_bit(possible), i = first + lane, id = words[9 * count + i];
-            if (id == left) continue;
-            if (any_hit && id - question.first_passed < question.passed_count) continue;
-            const TriangleSetup triangle(words, count, i);
-            bool settled = (certain >> lane & 1) != 0;
-            float t = 0.0f;
-            if (settled) {
-                const ExactPlane plane(triangle);
-                const Point3 normal = plane.n.rounded();
-                const float det = (normal.x * dir.x + normal.y * dir.y) + normal.z * dir.z;
-                settled = !(magnitude(det) < least_slope * sum_abs(normal) * max_abs(dir));
-                t = static_cast<float>(plane.offset(triangle, org)) / det;
-            }
-            if (!settled) {
-                const float from[3] = {org.x, org.y, org.z}, along[3] = {dir.x, dir.y, dir.z};
-                t = exact_distance(from, along, triangle.corners);
-            }
-            if (!(t > 0.0f)) continue;
-            if (t < best_t || (!any_hit && t == best_t && id < best_id)) {
-                best_t = t;
-                best_id = id;
-                hit = true;
-                if (any_hit) return true;
-            }
-        }
+    for (uint32_t first = 0; first < count; first += leaf_lanes) {
+        LeafFromAnywhere leaf(words, count, first, dir_reach, reach);
+        leaf.passes = any_hit ? leaf.passed_by(question) : 0;
+        hit |= leaf.template hit<any_hit>(org, dir, max_abs(dir), left, best_t, best_id);
+        if (any_hit && hit) return true;
     }
     return hit;
 }
@@ -131,9 +94,9 @@ public:
                 }
                 continue;
             }
-            if (hit_leaf<any_hit>(question_, node, {ray_.org[0], ray_.org[1], ray_.org[2]},
-                                  {ray_.dir[0], ray_.dir[1], ray_.dir[2]}, ray_.dir_reach, ray_.reach, left_, best_t_,
-                                  best_id_)) {
+            if (hit_leaf<any_hit>(question_, node.first_reference(), node.reference_count(),
+                                  {ray_.org[0], ray_.org[1], ray_.org[2]}, {ray_.dir[0], ray_.dir[1], ray_.dir[2]},
+                                  ray_.dir_reach, ray_.reach, left_, best_t_, best_id_)) {
                 if (any_hit) return true;
                 hit_ = true;
             }

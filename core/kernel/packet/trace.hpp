@@ -3,17 +3,20 @@
 
 #include "kernel/kernel.hpp"
 #include "kernel/packet/block_trace.hpp"
+#include "kernel/packet/stream_trace.hpp"
 
 namespace glint::HWY_NAMESPACE {
 
 /// A beam wider than this (by slope, from side to side) is not tried.
 inline constexpr float widest_beam = 4.0f;
 /// Fewer rays than this are not worth a beam.
-inline constexpr uint32_t fewest_in_beam = 4;
+inline constexpr uint32_t fewest_for_beam = 4;
 /// Fewer rays than this are traced singly rather than in step.
 inline constexpr uint32_t fewest_in_step = 3;
 /// Steps that a beam may take before it is taken apart: a group's, a quarter's. Measured: see docs/performance.md.
 inline constexpr uint32_t beam_budget[2] = {1600, 450};
+/// The same of a group's beam in the wide hierarchy, where streams take over.
+inline constexpr uint32_t bvh_beam_budget = 250;
 
 /// After some failures only every eighth beam of a size is tried.
 HWY_INLINE bool worth_trying(BeamHistory &history, int size) {
@@ -65,40 +68,71 @@ enum class RayKind {
     shadow,    ///< ends on a surface that a tile sees
 };
 
-/// Traces the selected rays as one beam; false where that does not pay.
+/// The beam around the selected rays; false where they do not go one way.
+template <bool shares_origin, bool any_hit>
+HWY_NOINLINE bool find_beam(const TraceQuestion &question, const RayGroup &rays, const RaySelection &selection,
+                            RayKind kind, Beam &beam, RayEnds &ends) {
+    const Box &bounds = question.geometry.bounds;
+    if (kind == RayKind::full_tile) return make_tile_beam(rays, bounds, beam);
+    if (kind == RayKind::shadow) {
+        ends = find_ends(rays, selection);
+        return make_end_beam(rays, ends, bounds, beam);
+    }
+    if (!make_beam<shares_origin>(rays, selection, bounds, beam)) return false;
+    if (any_hit || rays.t[first_ray_of(selection)] < __FLT_MAX__) {
+        beam.z_end = group_end<shares_origin>(rays, selection, beam);
+    }
+    return true;
+}
+
+/// Traces the selected rays as one beam through the kd-tree; false where that does not pay.
 template <bool shares_origin, bool any_hit> HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays,
                                                                          RaySelection &selection, int size,
                                                                          BeamHistory &history, RayKind kind) {
-    if (!worth_trying(history, size) || selection.count() < fewest_in_beam) return false;
-    const Box &bounds = question.geometry.bounds;
+    if (!worth_trying(history, size) || selection.count() < fewest_for_beam) return false;
     Beam beam;
     RayEnds ends;
-    const RayEnds *known_ends = nullptr;
-    bool one_way;
-    if (kind == RayKind::full_tile) {
-        one_way = make_tile_beam(rays, bounds, beam);
-    } else if (kind == RayKind::shadow) {
-        ends = find_ends(rays, selection);
-        known_ends = &ends;
-        one_way = make_end_beam(rays, ends, bounds, beam);
-    } else {
-        one_way = make_beam<shares_origin>(rays, selection, bounds, beam);
-        if (one_way && (any_hit || rays.t[first_ray_of(selection)] < __FLT_MAX__)) {
-            beam.z_end = group_end<shares_origin>(rays, selection, beam);
-        }
-    }
     const bool done =
-        one_way && width_of(beam) <= widest_beam &&
-        GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, known_ends).run(beam_budget[size]);
+        find_beam<shares_origin, any_hit>(question, rays, selection, kind, beam, ends) &&
+        width_of(beam) <= widest_beam &&
+        GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, kind == RayKind::shadow ? &ends : nullptr)
+            .walk_kd_tree(beam_budget[size]);
     note(history, size, done);
     return done;
+}
+
+/// Traces the selected rays as streams through the wide hierarchy.
+template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace_streams(const TraceQuestion &question,
+                                                                            RayGroup &rays, RaySelection &selection,
+                                                                            BeamHistory &history, RayKind kind) {
+    Beam beam;
+    RayEnds ends;
+    bool has_beam = false;
+    if (worth_trying(history, 1)) {
+        has_beam = find_beam<shares_origin, any_hit>(question, rays, selection, kind, beam, ends) &&
+                   width_of(beam) <= widest_beam;
+        note(history, 1, has_beam);
+    }
+    if (has_beam && worth_trying(history, 0)) {
+        const bool done = GroupTrace<shares_origin, any_hit>(question, rays, selection, beam,
+                                                             kind == RayKind::shadow ? &ends : nullptr)
+                              .walk_bvh(bvh_beam_budget);
+        note(history, 0, done);
+        if (done) return;
+    }
+    StreamTrace<shares_origin, any_hit>(question, rays, selection, has_beam ? &beam : nullptr).run();
 }
 
 /// Traces the selected rays. Those that are hit are deselected where any hit will do.
 template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays,
                                                                     RaySelection &selection, BeamHistory &history,
                                                                     RayKind kind = RayKind::any) {
-    if (selection.empty() || trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, kind)) return;
+    if (selection.empty()) return;
+    if (question.geometry.wide_nodes) {
+        trace_streams<shares_origin, any_hit>(question, rays, selection, history, kind);
+        return;
+    }
+    if (trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, kind)) return;
     // Quarters of 2 x 2 blocks, then blocks.
     for (uint32_t quarter = 0; quarter < 4; ++quarter) {
         const uint32_t corner = quarter / 2 * 8 + quarter % 2 * 2;

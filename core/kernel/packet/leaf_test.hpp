@@ -1,0 +1,235 @@
+// The triangles of a leaf, several at once, against one ray after another.
+#pragma once
+
+#include "kernel/packet/group_trace.hpp"
+
+namespace glint::HWY_NAMESPACE {
+
+/// Triangles in one vector: leaves seldom hold more than eight.
+using LeafTag = hn::CappedTag<float, 8>;
+using LeafUintTag = hn::Rebind<uint32_t, LeafTag>;
+using HalfLeafTag = hn::Half<LeafTag>;
+using HalfLeafDoubleTag = hn::Rebind<double, HalfLeafTag>;
+using LeafFloats = hn::Vec<LeafTag>;
+using HalfLeafDoubles = hn::Vec<HalfLeafDoubleTag>;
+inline constexpr LeafTag leaf_floats;
+inline constexpr HalfLeafTag half_leaf_floats;
+inline constexpr HalfLeafDoubleTag half_leaf_doubles;
+inline constexpr uint32_t leaf_lanes = lane_count < 8 ? lane_count : 8;
+
+HWY_INLINE uint32_t leaf_bits(hn::Mask<LeafTag> mask) {
+#if HWY_TARGET == HWY_AVX3
+    return mask.raw;
+#else
+    uint64_t bits = 0;
+    hn::StoreMaskBits(leaf_floats, mask, reinterpret_cast<uint8_t *>(&bits));
+    return static_cast<uint32_t>(bits) & ((1u << leaf_lanes) - 1);
+#endif
+}
+HWY_INLINE LeafFloats leaf_splat(float value) {
+    return hn::Set(leaf_floats, value);
+}
+
+/// What a leaf's triangles are, whatever the rays.
+class LeafLanes {
+public:
+    /// Those from number `first` on, of `count`.
+    HWY_INLINE LeafLanes(const uint32_t *words, uint32_t count, uint32_t first)
+        : words_(words), count_(count), first_(first), valid_((1u << smaller(count - first, leaf_lanes)) - 1) {}
+
+    /// Those that do not block.
+    [[nodiscard]] HWY_INLINE uint32_t passed_by(const TraceQuestion &question) const {
+        uint32_t bits = 0;
+        for (uint32_t lane = 0; lane < leaf_lanes && first_ + lane < count_; ++lane) {
+            if (id(lane) - question.first_passed < question.passed_count) bits |= 1u << lane;
+        }
+        return bits;
+    }
+
+    [[nodiscard]] HWY_INLINE LeafFloats row(uint32_t r) const {
+        return hn::LoadU(leaf_floats, reinterpret_cast<const float *>(words_ + r * count_ + first_));
+    }
+
+    uint32_t passes = 0; ///< lanes that do not block
+
+protected:
+    [[nodiscard]] HWY_INLINE uint32_t id(uint32_t lane) const { return words_[9 * count_ + first_ + lane]; }
+    static HWY_INLINE LeafFloats abs_max(LeafFloats x, LeafFloats y, LeafFloats z) {
+        return hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
+    }
+
+    /// Lowers best_t and sets best_id if lane's triangle, met at t, is nearer, or as near with a lower id.
+    template <bool any_hit> HWY_INLINE bool take(uint32_t lane, float t, float &best_t, uint32_t &best_id) const {
+        if (!(t > 0.0f)) return false;
+        if (!(t < best_t || (!any_hit && t == best_t && id(lane) < best_id))) return false;
+        best_t = t;
+        best_id = id(lane);
+        return true;
+    }
+    [[nodiscard]] HWY_INLINE float exact(uint32_t lane, const Point3 &org, const Point3 &dir) const {
+        const TriangleSetup triangle(words_, count_, first_ + lane);
+        const float from[3] = {org.x, org.y, org.z}, along[3] = {dir.x, dir.y, dir.z};
+        return exact_distance(from, along, triangle.corners);
+    }
+
+    /// The same where the ray is certainly inside.
+    [[nodiscard]] HWY_INLINE float distance(uint32_t lane, const Point3 &org, const Point3 &dir,
+                                            float dir_reach) const {
+        const TriangleSetup triangle(words_, count_, first_ + lane);
+        const ExactPlane plane(triangle);
+        const double offset = plane.offset(triangle, org);
+        const Point3 n = plane.n.rounded();
+        const float det = (n.x * dir.x + n.y * dir.y) + n.z * dir.z;
+        if (!(magnitude(det) < least_slope * sum_abs(n) * dir_reach)) return static_cast<float>(offset) / det;
+        return static_cast<float>(
+            offset / ((plane.n.x * double(dir.x) + plane.n.y * double(dir.y)) + plane.n.z * double(dir.z)));
+    }
+
+    const uint32_t *words_;
+    uint32_t count_, first_, valid_;
+};
+
+struct LeafVerdict {
+    uint32_t outside, certain;
+};
+HWY_INLINE LeafVerdict judge_leaf(LeafFloats det, LeafFloats u, LeafFloats v, LeafFloats margin) {
+    const auto w = (det - u) - v;
+    const auto least = hn::Min(hn::Min(u, v), w), greatest = hn::Max(hn::Max(u, v), w);
+    const auto minus_margin = hn::Neg(margin);
+    return {leaf_bits(hn::And(hn::Gt(greatest, margin), hn::Lt(least, minus_margin))),
+            leaf_bits(hn::Or(hn::Gt(least, margin), hn::Lt(greatest, minus_margin)))};
+}
+
+/// For rays that start anywhere: see TriangleFromAnywhere.
+class LeafFromAnywhere : public LeafLanes {
+public:
+    HWY_INLINE LeafFromAnywhere(const uint32_t *words, uint32_t count, uint32_t first, float dir_reach, float reach)
+        : LeafLanes(words, count, first),
+          ax_(row(0)),
+          ay_(row(1)),
+          az_(row(2)),
+          e1x_(row(3) - ax_),
+          e1y_(row(4) - ay_),
+          e1z_(row(5) - az_),
+          e2x_(row(6) - ax_),
+          e2y_(row(7) - ay_),
+          e2z_(row(8) - az_),
+          nx_(e1y_ * e2z_ - e1z_ * e2y_),
+          ny_(e1z_ * e2x_ - e1x_ * e2z_),
+          nz_(e1x_ * e2y_ - e1y_ * e2x_),
+          margin_(hn::Zero(leaf_floats)),
+          margin_per_q_(hn::Zero(leaf_floats)) {
+        const auto e = hn::Max(abs_max(e1x_, e1y_, e1z_), abs_max(e2x_, e2y_, e2z_));
+        margin_ = e * (leaf_splat(from_anywhere_error * dir_reach) * (leaf_splat(reach) + (e + e))) +
+                  leaf_splat(least_margin);
+        margin_per_q_ = leaf_splat(from_anywhere_cross_error) * e;
+    }
+
+    /// `dir_reach` is the largest coordinate of this ray's direction.
+    template <bool any_hit> HWY_INLINE bool hit(const Point3 &org, const Point3 &dir, float dir_reach, uint32_t left,
+                                                float &best_t, uint32_t &best_id) {
+        const auto dx = leaf_splat(dir.x), dy = leaf_splat(dir.y), dz = leaf_splat(dir.z);
+        const auto sx = leaf_splat(org.x) - ax_, sy = leaf_splat(org.y) - ay_, sz = leaf_splat(org.z) - az_;
+        const auto qx = dy * sz - dz * sy, qy = dz * sx - dx * sz, qz = dx * sy - dy * sx;
+        const auto margin = margin_ + margin_per_q_ * ((hn::Abs(qx) + hn::Abs(qy)) + hn::Abs(qz));
+        const LeafVerdict verdict = judge_leaf((nx_ * dx + ny_ * dy) + nz_ * dz, (e2x_ * qx + e2y_ * qy) + e2z_ * qz,
+                                               hn::Neg((e1x_ * qx + e1y_ * qy) + e1z_ * qz), margin);
+        bool hit = false;
+        for (uint32_t possible = ~verdict.outside & valid_ & ~passes; possible != 0; possible &= possible - 1) {
+            const uint32_t lane = lowest_bit(possible);
+            if (id(lane) == left) continue;
+            const bool certain = (verdict.certain >> lane & 1) != 0;
+            const float t = certain ? distance(lane, org, dir, dir_reach) : exact(lane, org, dir);
+            if (!take<any_hit>(lane, t, best_t, best_id)) continue;
+            hit = true;
+            if (any_hit) return true;
+        }
+        return hit;
+    }
+
+private:
+    LeafFloats ax_, ay_, az_, e1x_, e1y_, e1z_, e2x_, e2y_, e2z_, nx_, ny_, nz_, margin_, margin_per_q_;
+};
+
+/// For rays from one point: see TriangleFromPoint.
+class LeafFromPoint : public LeafLanes {
+public:
+    HWY_INLINE LeafFromPoint(const uint32_t *words, uint32_t count, uint32_t first, const Point3 &org, float dir_reach)
+        : LeafLanes(words, count, first), org_(org) {
+        const Half lower(*this, org, false), upper(*this, org, true);
+        const auto both = [](HalfLeafDoubles low, HalfLeafDoubles high) {
+            return hn::Combine(leaf_floats, hn::DemoteTo(half_leaf_floats, high), hn::DemoteTo(half_leaf_floats, low));
+        };
+        for (int i = 0; i < 3; ++i) {
+            u_[i] = both(lower.u[i], upper.u[i]);
+            v_[i] = both(lower.v[i], upper.v[i]);
+            n_[i] = both(lower.n[i], upper.n[i]);
+        }
+        offset_ = both(lower.offset, upper.offset);
+        const auto e = hn::Max(abs_max(row(3) - row(0), row(4) - row(1), row(5) - row(2)),
+                               abs_max(row(6) - row(0), row(7) - row(1), row(8) - row(2)));
+        const auto s =
+            abs_max(both(lower.s[0], upper.s[0]), both(lower.s[1], upper.s[1]), both(lower.s[2], upper.s[2]));
+        margin_ = leaf_splat(from_point_error * dir_reach) * e * (s + e) + leaf_splat(least_margin);
+        grazing_ = leaf_splat(least_slope) * ((hn::Abs(n_[0]) + hn::Abs(n_[1])) + hn::Abs(n_[2]));
+    }
+
+    template <bool any_hit> HWY_INLINE bool hit(const Point3 &, const Point3 &dir, float dir_reach, uint32_t left,
+                                                float &best_t, uint32_t &best_id) {
+        const auto dx = leaf_splat(dir.x), dy = leaf_splat(dir.y), dz = leaf_splat(dir.z);
+        const auto det = (n_[0] * dx + n_[1] * dy) + n_[2] * dz;
+        const LeafVerdict verdict =
+            judge_leaf(det, (u_[0] * dx + u_[1] * dy) + u_[2] * dz, (v_[0] * dx + v_[1] * dy) + v_[2] * dz, margin_);
+        uint32_t possible = ~verdict.outside & valid_ & ~passes;
+        if (possible == 0) return false;
+        const uint32_t grazing = leaf_bits(hn::Lt(hn::Abs(det), grazing_ * leaf_splat(dir_reach)));
+        alignas(32) float t[leaf_lanes];
+        hn::Store(offset_ / det, leaf_floats, t);
+        bool hit = false;
+        for (; possible != 0; possible &= possible - 1) {
+            const uint32_t lane = lowest_bit(possible);
+            if (id(lane) == left) continue;
+            const bool certain = (verdict.certain >> lane & 1) != 0, is_grazing = (grazing >> lane & 1) != 0;
+            const float there = !certain     ? exact(lane, org_, dir)
+                                : is_grazing ? distance(lane, org_, dir, dir_reach)
+                                             : t[lane];
+            if (!take<any_hit>(lane, there, best_t, best_id)) continue;
+            hit = true;
+            if (any_hit) return true;
+        }
+        return hit;
+    }
+
+private:
+    /// In double, for half of the lanes.
+    struct Half {
+        HalfLeafDoubles s[3], u[3], v[3], n[3], offset;
+
+        HWY_INLINE Half(const LeafLanes &leaf, const Point3 &org, bool is_upper) : offset(hn::Zero(half_leaf_doubles)) {
+            const auto row = [&](uint32_t r) {
+                const auto all = leaf.row(r);
+                return hn::PromoteTo(half_leaf_doubles, is_upper ? hn::UpperHalf(half_leaf_floats, all)
+                                                                 : hn::LowerHalf(half_leaf_floats, all));
+            };
+            const auto o = [&](float value) { return hn::Set(half_leaf_doubles, double(value)); };
+            const HalfLeafDoubles a[3] = {row(0), row(1), row(2)};
+            const HalfLeafDoubles e1[3] = {row(3) - a[0], row(4) - a[1], row(5) - a[2]};
+            const HalfLeafDoubles e2[3] = {row(6) - a[0], row(7) - a[1], row(8) - a[2]};
+            s[0] = o(org.x) - a[0];
+            s[1] = o(org.y) - a[1];
+            s[2] = o(org.z) - a[2];
+            for (int i = 0; i < 3; ++i) {
+                const int j = (i + 1) % 3, k = (i + 2) % 3;
+                u[i] = s[j] * e2[k] - s[k] * e2[j];
+                v[i] = e1[j] * s[k] - e1[k] * s[j];
+                n[i] = e1[j] * e2[k] - e1[k] * e2[j];
+            }
+            offset = (n[0] * (a[0] - o(org.x)) + n[1] * (a[1] - o(org.y))) + n[2] * (a[2] - o(org.z));
+        }
+    };
+
+    const Point3 &org_;
+    LeafFloats u_[3], v_[3], n_[3], offset_, margin_, grazing_;
+};
+
+} // namespace glint::HWY_NAMESPACE

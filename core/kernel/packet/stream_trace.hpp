@@ -1,0 +1,323 @@
+// Rays that go different ways through the wide hierarchy, but in the same octant of directions: a node is fetched once
+// for all rays that enter it, and each child gets the list of the rays that enter that child (Barringer &
+// Akenine-Moller 2014, "Dynamic ray stream traversal"). Lists that got short are finished ray by ray.
+#pragma once
+
+#include "kernel/packet/wide_single.hpp"
+
+namespace glint::HWY_NAMESPACE {
+
+/// Fewer rays than this are not worth a list. Measured: see docs/performance.md.
+inline constexpr uint32_t fewest_in_stream = 3;
+/// Fewer rays than this are not worth asking the beam around all rays first.
+inline constexpr uint32_t fewest_in_beam = 16;
+
+template <bool shares_origin, bool any_hit> class StreamTrace {
+public:
+    /// `beam` is around all selected rays, or nullptr.
+    HWY_INLINE StreamTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, const Beam *beam)
+        : question_(question), rays_(rays), selection_(selection), beam_(beam) {}
+
+    /// Traces the selected rays. Those that are hit are deselected where any hit will do.
+    HWY_INLINE void run() {
+        const bool one_octant = prepare() == 0;
+        uint32_t sorted[group_size];
+        uint32_t starts[9] = {};
+        if (one_octant) {
+            for_each_ray(selection_, [&](uint32_t ray) { sorted[starts[0]++] = ray; });
+        } else {
+            for_each_ray(selection_, [&](uint32_t ray) { ++starts[octant_[ray] + 1]; });
+            for (uint32_t octant = 0; octant < 8; ++octant) starts[octant + 1] += starts[octant];
+            for_each_ray(selection_, [&](uint32_t ray) { sorted[starts[octant_[ray]]++] = ray; });
+        }
+        for (uint32_t i = 0, begin = 0; i < 8; begin = starts[i++]) {
+            if (starts[i] > begin) walk(sorted + begin, starts[i] - begin);
+            if (one_octant) break;
+        }
+    }
+
+private:
+    struct Pending {
+        uint32_t link;
+        uint16_t first, count; ///< its rays in ids_
+        float begin;           ///< none of them enters before
+        uint32_t hits;         ///< that had been found by then
+    };
+    static constexpr uint32_t arena_size = 8192; ///< links that do not fit are followed ray by ray
+
+    /// What SingleRay and WideSlabs have, for all rays. Returns in which axes' signs they differ.
+    HWY_INLINE uint32_t prepare() {
+        const Box &box = question_.geometry.bounds;
+        Uints some = hn::Zero(uints), every = hn::Set(uints, 7);
+        Floats most_dir = hn::Zero(floats), most_reach = hn::Zero(floats);
+        for_each_vector(selection_, [&](uint32_t ray, uint32_t lane_bits) {
+            const FloatMask lanes = mask_of(lane_bits);
+            const Points dir = rays_.dir(ray);
+            const Points org = shares_origin ? splat(rays_.shared_origin) : rays_.org(ray);
+            const Points to_lo = {splat(box.lo.x) - org.x, splat(box.lo.y) - org.y, splat(box.lo.z) - org.z};
+            const Points to_hi = {splat(box.hi.x) - org.x, splat(box.hi.y) - org.y, splat(box.hi.z) - org.z};
+            const Floats largest = max_abs(dir), reach = hn::Max(max_abs(to_lo), max_abs(to_hi));
+            most_dir = hn::Max(most_dir, hn::IfThenElseZero(lanes, largest));
+            most_reach = hn::Max(most_reach, hn::IfThenElseZero(lanes, reach));
+            // Distances through boxes are counted in units of the direction's power of two: without that a very short
+            // direction's inverse, times the origin, might not be finite.
+            const Uints exponent =
+                hn::Max(hn::And(hn::BitCast(uints, largest), hn::Set(uints, 0x7f800000u)), hn::Set(uints, 0x00800000u));
+            const Floats unit = hn::BitCast(floats, exponent), by_unit = splat(1.0f) / unit;
+            const Floats slack = splat(slack_of_extent) * reach, tiny = splat(1e-15f) * (largest * by_unit);
+            const Floats components[3] = {dir.x * by_unit, dir.y * by_unit, dir.z * by_unit};
+            const Floats origins[3] = {org.x, org.y, org.z};
+            Uints octant = hn::Zero(uints);
+            for (uint32_t axis = 0; axis < 3; ++axis) {
+                const Floats d = hn::IfThenElse(hn::Lt(hn::Abs(components[axis]), tiny),
+                                                hn::CopySign(tiny, components[axis]), components[axis]);
+                const Floats inverse = splat(1.0f) / d, at_origin = origins[axis] * inverse;
+                const Floats widening = slack * hn::Abs(inverse) + splat(0x1p-21f) * hn::Abs(at_origin);
+                hn::Store(inverse, floats, inverse_[axis] + ray);
+                hn::Store(at_origin + widening, floats, near_offset_[axis] + ray);
+                hn::Store(at_origin - widening, floats, far_offset_[axis] + ray);
+                octant = octant + hn::ShiftLeftSame(hn::ShiftRight<31>(hn::BitCast(uints, d)), static_cast<int>(axis));
+            }
+            const Floats t = hn::Load(floats, rays_.t + ray);
+            hn::Store((t + splat(distance_error) * t) * unit, floats, end_ + ray);
+            hn::Store(unit, floats, unit_ + ray);
+            hn::Store(octant, uints, octant_ + ray);
+            const auto selected = hn::RebindMask(uints, lanes);
+            some = hn::Or(some, hn::IfThenElseZero(selected, octant));
+            every = hn::And(every, hn::IfThenElse(selected, octant, every));
+            hn::Store(largest, floats, ray_dir_reach_ + ray);
+        });
+        dir_reach_ = greatest_lane(most_dir);
+        reach_ = greatest_lane(most_reach);
+        alignas(64) uint32_t lanes[2][lane_count];
+        hn::Store(some, uints, lanes[0]);
+        hn::Store(every, uints, lanes[1]);
+        uint32_t in_some = 0, in_every = 7;
+        for (uint32_t lane = 0; lane < lane_count; ++lane) {
+            in_some |= lanes[0][lane];
+            in_every &= lanes[1][lane];
+        }
+        return in_some & ~in_every;
+    }
+
+    /// Rays of one octant.
+    HWY_INLINE void walk(const uint32_t *sorted, uint32_t count) {
+        const Rows rows(octant_[sorted[0]]);
+        Pending stack[bvh_stack_size];
+        uint32_t pending = 0;
+        for (uint32_t i = 0; i < count; ++i) ids_[i] = sorted[i];
+        stack[pending++] = {ChildLink::node(0).word(), 0, static_cast<uint16_t>(count), 0.0f, hits_};
+        while (pending > 0) {
+            Pending now = stack[--pending];
+            if (now.hits != hits_) now.count = static_cast<uint16_t>(still_looking(now));
+            if (now.count == 0) continue;
+            const ChildLink link(now.link);
+            uint32_t *const ids = ids_ + now.first;
+            if (now.count < fewest_in_stream || now.first + (1 + WideNode::width) * now.count > arena_size) {
+                for (uint32_t i = 0; i < now.count; ++i) finish(ids[i], link);
+            } else if (link.is_leaf()) {
+                visit_leaf(link, ids, now.count);
+            } else {
+                pending = visit_node(rows, link, now, stack, pending);
+            }
+        }
+    }
+
+    /// Drops the rays that have found something nearer by now; returns how many are left.
+    HWY_INLINE uint32_t still_looking(const Pending &now) {
+        uint32_t *const ids = ids_ + now.first;
+        uint32_t count = 0;
+        for (uint32_t i = 0; i < now.count; ++i) {
+            const uint32_t ray = ids[i];
+            ids[count] = ray;
+            count += end_[ray] >= now.begin ? 1u : 0u;
+        }
+        return count;
+    }
+
+    /// Copies those rays whose flags have the bit; returns how many.
+    static HWY_INLINE uint32_t pick(const uint32_t *flags, uint32_t bit, const uint32_t *rays, uint32_t count,
+                                    uint32_t *to) {
+        uint32_t picked = 0;
+#if HWY_TARGET == HWY_AVX3
+        for (uint32_t i = 0; i < count; i += lane_count) {
+            const auto valid = hn::FirstN(uints, count - i);
+            const auto chosen = hn::And(hn::TestBit(hn::Load(uints, flags + i), hn::Set(uints, bit)), valid);
+            // To a register first: straight to memory takes a hundred cycles on some processors.
+            hn::StoreU(hn::Compress(hn::LoadU(uints, rays + i), chosen), uints, to + picked);
+            picked += static_cast<uint32_t>(hn::CountTrue(uints, chosen));
+        }
+#else
+        // Without an instruction for it the vector library is slower than this.
+        for (uint32_t i = 0; i < count; ++i) {
+            to[picked] = rays[i];
+            picked += (flags[i] & bit) != 0 ? 1u : 0u;
+        }
+#endif
+        return picked;
+    }
+
+    /// Which rows of a node's bounds are the near ones.
+    struct Rows {
+        size_t near_x, near_y, near_z;
+
+        HWY_INLINE explicit Rows(uint32_t octant)
+            : near_x(WideNode::width * (octant & 1 ? 3u : 0u)),
+              near_y(WideNode::width * (octant & 2 ? 4u : 1u)),
+              near_z(WideNode::width * (octant & 4 ? 5u : 2u)) {}
+    };
+
+    HWY_INLINE uint32_t visit_node(const Rows &rows, ChildLink link, const Pending &now, Pending *stack,
+                                   uint32_t pending) {
+        const WideNode &node = question_.geometry.wide_nodes[link.number()];
+        if (beam_ && now.count >= fewest_in_beam) {
+            alignas(32) float begins[WideNode::width];
+            const uint32_t reached = children_in_beam(*beam_, node, begins);
+            if (reached == 0) return pending;
+            if ((reached & (reached - 1)) == 0) {
+                stack[pending] = now;
+                stack[pending].link = node.child[lowest_bit(reached)];
+                return pending + 1;
+            }
+        }
+        const float *const bounds = node.bounds[0];
+        uint32_t *const ids = ids_ + now.first;
+        alignas(64) uint32_t entered[group_size + lane_count];
+        uint32_t any = 0, all = ~0u;
+        alignas(32) float begins[WideNode::width]; // the least of all rays
+        NodeFloats first_begin[WideNode::width / node_lanes];
+        for (NodeFloats &b : first_begin) b = hn::Set(node_floats, __builtin_inff());
+        constexpr size_t w = WideNode::width;
+        for (uint32_t i = 0; i < now.count; ++i) {
+            const uint32_t ray = ids[i];
+            uint32_t bits = 0;
+            for (uint32_t c = 0; c < WideNode::width; c += node_lanes) {
+                const auto slab = [&](size_t row, const float *inverse, const float *offset) {
+                    return hn::MulSub(hn::Load(node_floats, bounds + row + c), hn::Set(node_floats, inverse[ray]),
+                                      hn::Set(node_floats, offset[ray]));
+                };
+                const auto begin =
+                    hn::Max(hn::Max(slab(rows.near_x, inverse_[0], near_offset_[0]),
+                                    slab(rows.near_y, inverse_[1], near_offset_[1])),
+                            hn::Max(slab(rows.near_z, inverse_[2], near_offset_[2]), hn::Zero(node_floats)));
+                const auto stop = hn::Min(
+                    hn::Min(slab(3 * w - rows.near_x, inverse_[0], far_offset_[0]),
+                            slab(5 * w - rows.near_y, inverse_[1], far_offset_[1])),
+                    hn::Min(slab(7 * w - rows.near_z, inverse_[2], far_offset_[2]), hn::Set(node_floats, end_[ray])));
+                const auto enters = hn::Le(begin, stop);
+                NodeFloats &least = first_begin[c / node_lanes];
+                least = hn::Min(least, hn::IfThenElse(enters, begin, least));
+                bits |= node_bits(enters) << c;
+            }
+            entered[i] = bits;
+            any |= bits;
+            all &= bits;
+        }
+        if (any == 0) return pending;
+        for (uint32_t c = 0; c < WideNode::width; c += node_lanes) {
+            hn::Store(first_begin[c / node_lanes], node_floats, begins + c);
+        }
+
+        // Far children first, so that near ones are on top of the stack.
+        uint32_t order[WideNode::width], used = 0;
+        for (; any != 0; any &= any - 1) {
+            const uint32_t c = lowest_bit(any);
+            uint32_t place = used++;
+            {
+                for (; place > 0 && begins[order[place - 1]] < begins[c]; --place) order[place] = order[place - 1];
+            }
+            order[place] = c;
+        }
+        // The last list takes the place of the one that was read.
+        uint32_t first = now.first + uint32_t{now.count};
+        for (uint32_t u = 0; u < used; ++u) {
+            const uint32_t c = order[u];
+            uint32_t count = now.count;
+            if ((all >> c & 1) != 0) {
+                for (uint32_t i = 0; i < count; i += lane_count) {
+                    hn::StoreU(hn::LoadU(uints, ids + i), uints, ids_ + first + i);
+                }
+            } else {
+                count = pick(entered, 1u << c, ids, now.count, ids_ + first);
+            }
+            stack[pending++] = {node.child[c], static_cast<uint16_t>(first), static_cast<uint16_t>(count), begins[c],
+                                hits_};
+            first += count;
+        }
+        return pending;
+    }
+
+    HWY_INLINE void visit_leaf(ChildLink link, const uint32_t *ids, uint32_t count) {
+        const uint32_t references = link.reference_count();
+        const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{link.number()};
+        for (uint32_t first = 0; first < references; first += leaf_lanes) {
+            if constexpr (shares_origin) {
+                LeafFromPoint leaf(words, references, first, rays_.shared_origin, dir_reach_);
+                hit(leaf, ids, count);
+            } else {
+                LeafFromAnywhere leaf(words, references, first, dir_reach_, reach_);
+                hit(leaf, ids, count);
+            }
+        }
+    }
+
+    template <typename Leaf> HWY_INLINE void hit(Leaf &leaf, const uint32_t *ids, uint32_t count) {
+        leaf.passes = any_hit ? leaf.passed_by(question_) : 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t ray = ids[i];
+            if (any_hit && end_[ray] < 0.0f) continue;
+            const Point3 org =
+                shares_origin ? rays_.shared_origin : Point3{rays_.org_x[ray], rays_.org_y[ray], rays_.org_z[ray]};
+            const Point3 dir = {rays_.dir_x[ray], rays_.dir_y[ray], rays_.dir_z[ray]};
+            float t = rays_.t[ray];
+            uint32_t id = rays_.triangle_id[ray];
+            if (leaf.template hit<any_hit>(org, dir, ray_dir_reach_[ray], rays_.left[ray], t, id)) take(ray, t, id);
+        }
+    }
+
+    HWY_INLINE void take(uint32_t ray, float t, uint32_t id) {
+        ++hits_;
+        if constexpr (any_hit) {
+            selection_.remove(ray / block_size * block_size, 1u << (ray % block_size));
+            end_[ray] = -1.0f;
+        } else {
+            rays_.t[ray] = t;
+            rays_.triangle_id[ray] = id;
+            end_[ray] = (t + distance_error * t) * unit_[ray];
+        }
+    }
+
+    /// One ray through all that a link leads to.
+    HWY_INLINE void finish(uint32_t ray, ChildLink link) {
+        if (any_hit && end_[ray] < 0.0f) return;
+        const Point3 org =
+            shares_origin ? rays_.shared_origin : Point3{rays_.org_x[ray], rays_.org_y[ray], rays_.org_z[ray]};
+        const Point3 dir = {rays_.dir_x[ray], rays_.dir_y[ray], rays_.dir_z[ray]};
+        const WideSlabs slabs({inverse_[0][ray], inverse_[1][ray], inverse_[2][ray]},
+                              {near_offset_[0][ray], near_offset_[1][ray], near_offset_[2][ray]},
+                              {far_offset_[0][ray], far_offset_[1][ray], far_offset_[2][ray]});
+        float t = rays_.t[ray];
+        uint32_t id = rays_.triangle_id[ray];
+        if (walk_wide<any_hit>(question_, slabs, link, unit_[ray], org, dir, dir_reach_, reach_, rays_.left[ray], t,
+                               id)) {
+            take(ray, t, id);
+        }
+    }
+
+    const TraceQuestion &question_;
+    RayGroup &rays_;
+    RaySelection &selection_;
+    const Beam *beam_;
+    float dir_reach_ = 0.0f, reach_ = 0.0f;
+    uint32_t hits_ = 0;
+    alignas(64) float inverse_[3][group_size];
+    alignas(64) float near_offset_[3][group_size];
+    alignas(64) float far_offset_[3][group_size];
+    alignas(64) float end_[group_size];  ///< how far a ray looks, in its unit; -1 where it is done
+    alignas(64) float unit_[group_size]; ///< of distances through boxes
+    alignas(64) float ray_dir_reach_[group_size];
+    alignas(64) uint32_t octant_[group_size];
+    alignas(64) uint32_t ids_[arena_size + 32];
+};
+
+} // namespace glint::HWY_NAMESPACE
