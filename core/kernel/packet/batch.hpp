@@ -14,21 +14,8 @@ class BatchWindow {
 public:
     HWY_INLINE BatchWindow(const RayBatch &batch, size_t first, uint32_t count)
         : batch_(batch), first_(first), count_(count) {
-        Uints other_signs = hn::Zero(uints);
-        const auto add_differences = [&](const float *row) {
-            const Uints like = hn::BitCast(uints, splat(row[first]));
-            for (uint32_t i = 0; i < count; i += lane_count) {
-                const auto valid = hn::FirstN(floats, count - i);
-                const Uints differing =
-                    hn::Xor(hn::BitCast(uints, hn::MaskedLoad(valid, floats, row + first + i)), like);
-                other_signs = hn::Or(other_signs, hn::IfThenElseZero(hn::RebindMask(uints, valid), differing));
-            }
-        };
-        add_differences(batch.dir_x);
-        add_differences(batch.dir_y);
-        add_differences(batch.dir_z);
-        const Uints sign_bits = hn::And(other_signs, hn::Set(uints, 0x80000000u));
-        one_order_ = bits_of(hn::RebindMask(floats, hn::Eq(sign_bits, hn::Zero(uints)))) == all_lanes;
+        one_order_ = have_one_sign(batch.dir_x + first) && have_one_sign(batch.dir_y + first) &&
+                     have_one_sign(batch.dir_z + first);
         if (!one_order_) sort_by_signs();
     }
 
@@ -64,6 +51,20 @@ public:
     }
 
 private:
+    [[nodiscard]] HWY_INLINE bool have_one_sign(const float *row) const {
+        const Uints like = hn::BitCast(uints, splat(row[0]));
+        Uints differing = hn::Zero(uints);
+        uint32_t i = 0;
+        for (; i + lane_count <= count_; i += lane_count) {
+            differing = hn::Or(differing, hn::Xor(hn::BitCast(uints, hn::LoadU(floats, row + i)), like));
+        }
+        bool one = bits_of(hn::Lt(hn::BitCast(floats, hn::Or(hn::And(differing, hn::Set(uints, 0x80000000u)),
+                                                             hn::BitCast(uints, splat(1.0f)))),
+                                  hn::Zero(floats))) == 0;
+        for (; i < count_; ++i) one = one && __builtin_signbit(row[i]) == __builtin_signbit(row[0]);
+        return one;
+    }
+
     /// Rays with the same signs stand together, otherwise in the batch's order.
     HWY_INLINE void sort_by_signs() {
         uint32_t starts[9] = {};

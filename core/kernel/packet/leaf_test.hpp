@@ -100,8 +100,42 @@ HWY_INLINE LeafVerdict judge_leaf(LeafFloats det, LeafFloats u, LeafFloats v, Le
             leaf_bits(hn::Or(hn::Gt(least, margin), hn::Lt(greatest, minus_margin)))};
 }
 
-/// For rays that start anywhere: see TriangleFromAnywhere.
-class LeafFromAnywhere : public LeafLanes {
+/// Planes as ExactPlane has them, for half of the lanes.
+struct LeafPlanes {
+    HalfLeafDoubles a[3], e1[3], e2[3], n[3];
+
+    LeafPlanes() = default;
+    HWY_INLINE LeafPlanes(const LeafLanes &leaf, bool is_upper) {
+        const auto row = [&](uint32_t r) {
+            const auto all = leaf.row(r);
+            return hn::PromoteTo(half_leaf_doubles, is_upper ? hn::UpperHalf(half_leaf_floats, all)
+                                                             : hn::LowerHalf(half_leaf_floats, all));
+        };
+        for (uint32_t i = 0; i < 3; ++i) {
+            a[i] = row(i);
+            e1[i] = row(3 + i) - a[i];
+            e2[i] = row(6 + i) - a[i];
+        }
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            n[i] = e1[j] * e2[k] - e1[k] * e2[j];
+        }
+    }
+
+    static HWY_INLINE HalfLeafDoubles set(float value) { return hn::Set(half_leaf_doubles, double(value)); }
+
+    /// n . (a - org)
+    [[nodiscard]] HWY_INLINE HalfLeafDoubles offset(const Point3 &org) const {
+        return (n[0] * (a[0] - set(org.x)) + n[1] * (a[1] - set(org.y))) + n[2] * (a[2] - set(org.z));
+    }
+};
+HWY_INLINE LeafFloats both_halves(HalfLeafDoubles lower, HalfLeafDoubles upper) {
+    return hn::Combine(leaf_floats, hn::DemoteTo(half_leaf_floats, upper), hn::DemoteTo(half_leaf_floats, lower));
+}
+
+/// For rays that start anywhere: see TriangleFromAnywhere. `for_many`: for so many rays that distances to all planes
+/// are worth working out at once.
+template <bool for_many> class LeafFromAnywhere : public LeafLanes {
 public:
     HWY_INLINE LeafFromAnywhere(const uint32_t *words, uint32_t count, uint32_t first, float dir_reach, float reach)
         : LeafLanes(words, count, first),
@@ -134,13 +168,25 @@ public:
         const auto margin = margin_ + margin_per_q_ * ((hn::Abs(qx) + hn::Abs(qy)) + hn::Abs(qz));
         const LeafVerdict verdict = judge_leaf((nx_ * dx + ny_ * dy) + nz_ * dz, (e2x_ * qx + e2y_ * qy) + e2z_ * qz,
                                                hn::Neg((e1x_ * qx + e1y_ * qy) + e1z_ * qz), margin);
+        uint32_t possible = ~verdict.outside & valid_ & ~passes;
+        if (possible == 0) return false;
+        uint32_t grazing = all_lanes;
+        alignas(32) float t[leaf_lanes];
+        if constexpr (for_many) {
+            if (!has_planes_) make_planes();
+            const auto det = (plane_[0] * dx + plane_[1] * dy) + plane_[2] * dz;
+            grazing = leaf_bits(hn::Lt(hn::Abs(det), grazing_ * leaf_splat(dir_reach)));
+            hn::Store(both_halves(lower_.offset(org), upper_.offset(org)) / det, leaf_floats, t);
+        }
         bool hit = false;
-        for (uint32_t possible = ~verdict.outside & valid_ & ~passes; possible != 0; possible &= possible - 1) {
+        for (; possible != 0; possible &= possible - 1) {
             const uint32_t lane = lowest_bit(possible);
             if (id(lane) == left) continue;
-            const bool certain = (verdict.certain >> lane & 1) != 0;
-            const float t = certain ? distance(lane, org, dir, dir_reach) : exact(lane, org, dir);
-            if (!take<any_hit>(lane, t, best_t, best_id)) continue;
+            const bool certain = (verdict.certain >> lane & 1) != 0, is_grazing = (grazing >> lane & 1) != 0;
+            const float there = !certain     ? exact(lane, org, dir)
+                                : is_grazing ? distance(lane, org, dir, dir_reach)
+                                             : t[lane];
+            if (!take<any_hit>(lane, there, best_t, best_id)) continue;
             hit = true;
             if (any_hit) return true;
         }
@@ -148,7 +194,18 @@ public:
     }
 
 private:
+    HWY_INLINE void make_planes() {
+        lower_ = LeafPlanes(*this, false);
+        upper_ = LeafPlanes(*this, true);
+        for (int i = 0; i < 3; ++i) plane_[i] = both_halves(lower_.n[i], upper_.n[i]);
+        grazing_ = leaf_splat(least_slope) * ((hn::Abs(plane_[0]) + hn::Abs(plane_[1])) + hn::Abs(plane_[2]));
+        has_planes_ = true;
+    }
+
     LeafFloats ax_, ay_, az_, e1x_, e1y_, e1z_, e2x_, e2y_, e2z_, nx_, ny_, nz_, margin_, margin_per_q_;
+    bool has_planes_ = false; ///< what follows is made when a ray may hit
+    LeafPlanes lower_{}, upper_{};
+    LeafFloats plane_[3], grazing_;
 };
 
 /// For rays from one point: see TriangleFromPoint.
@@ -157,19 +214,16 @@ public:
     HWY_INLINE LeafFromPoint(const uint32_t *words, uint32_t count, uint32_t first, const Point3 &org, float dir_reach)
         : LeafLanes(words, count, first), org_(org) {
         const Half lower(*this, org, false), upper(*this, org, true);
-        const auto both = [](HalfLeafDoubles low, HalfLeafDoubles high) {
-            return hn::Combine(leaf_floats, hn::DemoteTo(half_leaf_floats, high), hn::DemoteTo(half_leaf_floats, low));
-        };
         for (int i = 0; i < 3; ++i) {
-            u_[i] = both(lower.u[i], upper.u[i]);
-            v_[i] = both(lower.v[i], upper.v[i]);
-            n_[i] = both(lower.n[i], upper.n[i]);
+            u_[i] = both_halves(lower.u[i], upper.u[i]);
+            v_[i] = both_halves(lower.v[i], upper.v[i]);
+            n_[i] = both_halves(lower.n[i], upper.n[i]);
         }
-        offset_ = both(lower.offset, upper.offset);
+        offset_ = both_halves(lower.offset, upper.offset);
         const auto e = hn::Max(abs_max(row(3) - row(0), row(4) - row(1), row(5) - row(2)),
                                abs_max(row(6) - row(0), row(7) - row(1), row(8) - row(2)));
-        const auto s =
-            abs_max(both(lower.s[0], upper.s[0]), both(lower.s[1], upper.s[1]), both(lower.s[2], upper.s[2]));
+        const auto s = abs_max(both_halves(lower.s[0], upper.s[0]), both_halves(lower.s[1], upper.s[1]),
+                               both_halves(lower.s[2], upper.s[2]));
         margin_ = leaf_splat(from_point_error * dir_reach) * e * (s + e) + leaf_splat(least_margin);
         grazing_ = leaf_splat(least_slope) * ((hn::Abs(n_[0]) + hn::Abs(n_[1])) + hn::Abs(n_[2]));
     }
@@ -202,29 +256,19 @@ public:
 
 private:
     /// In double, for half of the lanes.
-    struct Half {
-        HalfLeafDoubles s[3], u[3], v[3], n[3], offset;
+    struct Half : LeafPlanes {
+        HalfLeafDoubles s[3], u[3], v[3], offset;
 
-        HWY_INLINE Half(const LeafLanes &leaf, const Point3 &org, bool is_upper) : offset(hn::Zero(half_leaf_doubles)) {
-            const auto row = [&](uint32_t r) {
-                const auto all = leaf.row(r);
-                return hn::PromoteTo(half_leaf_doubles, is_upper ? hn::UpperHalf(half_leaf_floats, all)
-                                                                 : hn::LowerHalf(half_leaf_floats, all));
-            };
-            const auto o = [&](float value) { return hn::Set(half_leaf_doubles, double(value)); };
-            const HalfLeafDoubles a[3] = {row(0), row(1), row(2)};
-            const HalfLeafDoubles e1[3] = {row(3) - a[0], row(4) - a[1], row(5) - a[2]};
-            const HalfLeafDoubles e2[3] = {row(6) - a[0], row(7) - a[1], row(8) - a[2]};
-            s[0] = o(org.x) - a[0];
-            s[1] = o(org.y) - a[1];
-            s[2] = o(org.z) - a[2];
+        HWY_INLINE Half(const LeafLanes &leaf, const Point3 &org, bool is_upper)
+            : LeafPlanes(leaf, is_upper), offset(LeafPlanes::offset(org)) {
+            s[0] = set(org.x) - a[0];
+            s[1] = set(org.y) - a[1];
+            s[2] = set(org.z) - a[2];
             for (int i = 0; i < 3; ++i) {
                 const int j = (i + 1) % 3, k = (i + 2) % 3;
                 u[i] = s[j] * e2[k] - s[k] * e2[j];
                 v[i] = e1[j] * s[k] - e1[k] * s[j];
-                n[i] = e1[j] * e2[k] - e1[k] * e2[j];
             }
-            offset = (n[0] * (a[0] - o(org.x)) + n[1] * (a[1] - o(org.y))) + n[2] * (a[2] - o(org.z));
         }
     };
 

@@ -255,7 +255,7 @@ private:
                 LeafFromPoint leaf(words, references, first, rays_.shared_origin, dir_reach_);
                 hit(leaf, ids, count);
             } else {
-                LeafFromAnywhere leaf(words, references, first, dir_reach_, reach_);
+                LeafFromAnywhere<true> leaf(words, references, first, dir_reach_, reach_);
                 hit(leaf, ids, count);
             }
         }

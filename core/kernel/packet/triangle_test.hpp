@@ -168,8 +168,7 @@ private:
 class TriangleFromAnywhere {
 public:
     /// `reach` is at least the largest distance, by coordinate, between an origin and a corner of any triangle.
-    HWY_INLINE TriangleFromAnywhere(const TriangleSetup &triangle, float dir_reach, float reach)
-        : triangle_(triangle) {
+    HWY_INLINE TriangleFromAnywhere(const TriangleSetup &triangle, float dir_reach, float reach) : triangle_(triangle) {
         a_ = splat({triangle.corners[0], triangle.corners[1], triangle.corners[2]});
         e1_ = splat(triangle.e1);
         e2_ = splat(triangle.e2);
