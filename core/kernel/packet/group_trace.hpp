@@ -1,4 +1,4 @@
-// A group of rays that go one way: the kd-tree is walked once for all of them.
+// A group of rays that go one way: the tree, either kind, is walked once for all of them.
 #pragma once
 
 #include "kernel/packet/block_beams.hpp"

@@ -1,4 +1,5 @@
-// Chooses how the rays of a group are traced: all together, a quarter at a time, in step block by block, or one by one.
+// Chooses how the rays of a group are traced. Through the kd-tree: all together, a quarter at a time, in step block by
+// block, or one by one. Through the wide hierarchy: all together, or as streams.
 #pragma once
 
 #include "kernel/kernel.hpp"
