@@ -170,7 +170,7 @@ public:
                                                hn::Neg((e1x_ * qx + e1y_ * qy) + e1z_ * qz), margin);
         uint32_t possible = ~verdict.outside & valid_ & ~passes;
         if (possible == 0) return false;
-        uint32_t grazing = all_lanes;
+        uint32_t grazing = 0;
         alignas(32) float t[leaf_lanes];
         if constexpr (for_many) {
             if (!has_planes_) make_planes();
@@ -182,10 +182,14 @@ public:
         for (; possible != 0; possible &= possible - 1) {
             const uint32_t lane = lowest_bit(possible);
             if (id(lane) == left) continue;
-            const bool certain = (verdict.certain >> lane & 1) != 0, is_grazing = (grazing >> lane & 1) != 0;
-            const float there = !certain     ? exact(lane, org, dir)
-                                : is_grazing ? distance(lane, org, dir, dir_reach)
-                                             : t[lane];
+            float there;
+            if ((verdict.certain >> lane & 1) == 0) {
+                there = exact(lane, org, dir);
+            } else if (!for_many || (grazing >> lane & 1) != 0) {
+                there = distance(lane, org, dir, dir_reach);
+            } else {
+                there = t[lane];
+            }
             if (!take<any_hit>(lane, there, best_t, best_id)) continue;
             hit = true;
             if (any_hit) return true;
