@@ -209,7 +209,8 @@ private:
     LeafFloats ax_, ay_, az_, e1x_, e1y_, e1z_, e2x_, e2y_, e2z_, nx_, ny_, nz_, margin_, margin_per_q_;
     bool has_planes_ = false; ///< what follows is made when a ray may hit
     LeafPlanes lower_{}, upper_{};
-    LeafFloats plane_[3], grazing_;
+    LeafFloats plane_[3] = {hn::Zero(leaf_floats), hn::Zero(leaf_floats), hn::Zero(leaf_floats)};
+    LeafFloats grazing_ = hn::Zero(leaf_floats);
 };
 
 /// For rays from one point: see TriangleFromPoint.
