@@ -8,7 +8,7 @@
 namespace glint::test {
 namespace {
 
-// glint_compare_rays goes on from here: it has been run with 10^8 rays.
+// glint_compare_rays goes on from here with as many rays as one likes.
 #ifdef GLINT_SANITIZED
 constexpr uint32_t batches_a_mesh = 9;
 #else
@@ -44,6 +44,40 @@ TEST(Batches, of_no_rays_or_one_are_answered) {
         EXPECT_EQ(t, 1.0f) << isa_name(isa);
         EXPECT_NE(triangle, no_triangle) << isa_name(isa);
         EXPECT_EQ(occluded, 1) << isa_name(isa);
+    }
+}
+
+/// A grid that crosses the z axis at each of these depths, and rises with x.
+Mesh sheets(std::initializer_list<float> depths, float rise) {
+    Mesh mesh;
+    for (const float z : depths) {
+        const auto base = static_cast<uint32_t>(mesh.positions.size());
+        const Mesh sheet = flat_grid(4);
+        for (const Point &p : sheet.positions) mesh.positions.push_back({p.x, p.y, z + rise * p.x});
+        for (const Triangle &t : sheet.triangles) mesh.triangles.push_back({t.a + base, t.b + base, t.c + base});
+    }
+    return mesh;
+}
+
+// The way of most rays of a group may end before the first ray's origin, from which the group's depths are counted.
+TEST(Batches, may_end_behind_their_first_ray) {
+    for (const float way : {1.0f, -1.0f}) {
+        for (const bool near_first : {false, true}) {
+            const float near = way * -0.2f, far = way * -7.0f;
+            RayRows rows;
+            rows.add({{0.1f, 0.2f, 0.0f}, {0.0f, 0.0f, way}}, 1.0f);
+            for (int i = 0; i < 40; ++i) rows.add({{0.1f, 0.2f, way * -10.0f}, {0.0f, 0.0f, way}}, 4.0f);
+            const auto scene = scene_of(near_first ? sheets({near, far}, 4.0f * way) : sheets({far, near}, 4.0f * way));
+            for (const AccelKind kind : {AccelKind::kdtree, AccelKind::bvh, AccelKind::brute}) {
+                const auto accel = Accel::build(scene, {kind, 1});
+                for (const Isa isa : available_isas()) {
+                    std::vector<uint8_t> occluded(rows.count());
+                    RayQuery(accel, isa).any_hits(rows.batch(), occluded.data());
+                    EXPECT_EQ(occluded, std::vector<uint8_t>(rows.count(), 1))
+                        << isa_name(isa) << ", " << accel_kind_name(kind) << ", way " << way << ", near first " << near_first;
+                }
+            }
+        }
     }
 }
 

@@ -58,9 +58,8 @@ private:
         for (; i + lane_count <= count_; i += lane_count) {
             differing = hn::Or(differing, hn::Xor(hn::BitCast(uints, hn::LoadU(floats, row + i)), like));
         }
-        bool one = bits_of(hn::Lt(hn::BitCast(floats, hn::Or(hn::And(differing, hn::Set(uints, 0x80000000u)),
-                                                             hn::BitCast(uints, splat(1.0f)))),
-                                  hn::Zero(floats))) == 0;
+        const Uints sign = hn::Set(uints, 0x80000000u);
+        bool one = hn::AllFalse(uints, hn::Ne(hn::And(differing, sign), hn::Zero(uints)));
         for (; i < count_; ++i) one = one && __builtin_signbit(row[i]) == __builtin_signbit(row[0]);
         return one;
     }

@@ -39,8 +39,7 @@ public:
     /// far stands, and makes the next attempt with fewer rays cheaper.
     HWY_INLINE bool walk_bvh(uint32_t budget) {
         const WideNode *const nodes = question_.geometry.wide_nodes;
-        uint64_t stack[bvh_stack_size];
-        uint64_t *top = stack;
+        WaitingChildren waiting;
         ChildLink next = ChildLink::node(0);
         while (true) {
             if (!next.is_leaf()) {
@@ -48,29 +47,15 @@ public:
                 if (steps_ > budget) return false;
                 const WideNode &node = nodes[next.number()];
                 alignas(32) float begins[WideNode::width];
-                uint32_t entered = children_in_beam(beam_, node, begins);
+                const uint32_t entered = children_in_beam(beam_, node, begins);
                 if (entered != 0) {
-                    uint64_t nearest = pending_child(node, begins, lowest_bit(entered));
-                    uint64_t *const bottom = top;
-                    while ((entered &= entered - 1) != 0) {
-                        const uint64_t other = pending_child(node, begins, lowest_bit(entered));
-                        const uint64_t farther = larger(nearest, other);
-                        nearest = smaller(nearest, other);
-                        uint64_t *place = top++;
-                        for (; place != bottom && place[-1] < farther; --place) *place = place[-1];
-                        *place = farther;
-                    }
-                    next = ChildLink(static_cast<uint32_t>(nearest));
+                    next = waiting.nearest_of<true>(node, begins, entered);
                     continue;
                 }
             } else if (visit_leaf(next.number(), next.reference_count())) {
                 return true;
             }
-            do {
-                if (top == stack) return true;
-                --top;
-            } while (begin_of(*top) > beam_.z_end);
-            next = ChildLink(static_cast<uint32_t>(*top));
+            if (!waiting.next((beam_.z_end - beam_.z_begin) + 2.0f * beam_.slack, next)) return true;
         }
     }
 

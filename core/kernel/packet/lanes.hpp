@@ -52,15 +52,30 @@ HWY_INLINE Floats splat(float value) {
     return hn::Set(floats, value);
 }
 
+/// A narrower vector where there is less to fill it with: a wide node has eight children, its leaves no more triangles.
+using NarrowTag = hn::CappedTag<float, 8>;
+using NarrowFloats = hn::Vec<NarrowTag>;
+using NarrowMask = hn::Mask<NarrowTag>;
+inline constexpr NarrowTag narrow_floats;
+inline constexpr uint32_t narrow_lanes = lane_count < 8 ? lane_count : 8;
+
+HWY_INLINE NarrowFloats narrow_splat(float value) {
+    return hn::Set(narrow_floats, value);
+}
+
 /// Lane i of a mask as bit i, and back.
-HWY_INLINE uint32_t bits_of(FloatMask mask) {
+template <typename Tag> HWY_INLINE uint32_t bits_of(Tag tag, hn::Mask<Tag> mask) {
 #if HWY_TARGET == HWY_AVX3
+    (void)tag;
     return mask.raw; // by way of memory it takes several times as long
 #else
     uint64_t bits = 0;
-    hn::StoreMaskBits(floats, mask, reinterpret_cast<uint8_t *>(&bits));
-    return static_cast<uint32_t>(bits) & all_lanes;
+    hn::StoreMaskBits(tag, mask, reinterpret_cast<uint8_t *>(&bits));
+    return static_cast<uint32_t>(bits) & ((1u << hn::MaxLanes(tag)) - 1);
 #endif
+}
+HWY_INLINE uint32_t bits_of(FloatMask mask) {
+    return bits_of(floats, mask);
 }
 HWY_INLINE FloatMask mask_of(uint32_t bits) {
 #if HWY_TARGET == HWY_AVX3

@@ -5,66 +5,58 @@
 
 namespace glint::HWY_NAMESPACE {
 
-/// Triangles in one vector: leaves seldom hold more than eight.
-using LeafTag = hn::CappedTag<float, 8>;
-using LeafUintTag = hn::Rebind<uint32_t, LeafTag>;
-using HalfLeafTag = hn::Half<LeafTag>;
+using HalfLeafTag = hn::Half<NarrowTag>;
 using HalfLeafDoubleTag = hn::Rebind<double, HalfLeafTag>;
-using LeafFloats = hn::Vec<LeafTag>;
 using HalfLeafDoubles = hn::Vec<HalfLeafDoubleTag>;
-inline constexpr LeafTag leaf_floats;
 inline constexpr HalfLeafTag half_leaf_floats;
 inline constexpr HalfLeafDoubleTag half_leaf_doubles;
-inline constexpr uint32_t leaf_lanes = lane_count < 8 ? lane_count : 8;
-
-HWY_INLINE uint32_t leaf_bits(hn::Mask<LeafTag> mask) {
-#if HWY_TARGET == HWY_AVX3
-    return mask.raw;
-#else
-    uint64_t bits = 0;
-    hn::StoreMaskBits(leaf_floats, mask, reinterpret_cast<uint8_t *>(&bits));
-    return static_cast<uint32_t>(bits) & ((1u << leaf_lanes) - 1);
-#endif
-}
-HWY_INLINE LeafFloats leaf_splat(float value) {
-    return hn::Set(leaf_floats, value);
-}
 
 /// What a leaf's triangles are, whatever the rays.
 class LeafLanes {
 public:
     /// Those from number `first` on, of `count`.
     HWY_INLINE LeafLanes(const uint32_t *words, uint32_t count, uint32_t first)
-        : words_(words), count_(count), first_(first), valid_((1u << smaller(count - first, leaf_lanes)) - 1) {}
+        : words_(words), count_(count), first_(first), valid_((1u << smaller(count - first, narrow_lanes)) - 1) {}
 
     /// Those that do not block.
     [[nodiscard]] HWY_INLINE uint32_t passed_by(const TraceQuestion &question) const {
         uint32_t bits = 0;
-        for (uint32_t lane = 0; lane < leaf_lanes && first_ + lane < count_; ++lane) {
+        for (uint32_t lane = 0; lane < narrow_lanes && first_ + lane < count_; ++lane) {
             if (id(lane) - question.first_passed < question.passed_count) bits |= 1u << lane;
         }
         return bits;
     }
 
-    [[nodiscard]] HWY_INLINE LeafFloats row(uint32_t r) const {
-        return hn::LoadU(leaf_floats, reinterpret_cast<const float *>(words_ + r * count_ + first_));
+    [[nodiscard]] HWY_INLINE NarrowFloats row(uint32_t r) const {
+        return hn::LoadU(narrow_floats, reinterpret_cast<const float *>(words_ + r * count_ + first_));
     }
 
     uint32_t passes = 0; ///< lanes that do not block
 
 protected:
     [[nodiscard]] HWY_INLINE uint32_t id(uint32_t lane) const { return words_[9 * count_ + first_ + lane]; }
-    static HWY_INLINE LeafFloats abs_max(LeafFloats x, LeafFloats y, LeafFloats z) {
+    static HWY_INLINE NarrowFloats abs_max(NarrowFloats x, NarrowFloats y, NarrowFloats z) {
         return hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
     }
 
-    /// Lowers best_t and sets best_id if lane's triangle, met at t, is nearer, or as near with a lower id.
-    template <bool any_hit> HWY_INLINE bool take(uint32_t lane, float t, float &best_t, uint32_t &best_id) const {
-        if (!(t > 0.0f)) return false;
-        if (!(t < best_t || (!any_hit && t == best_t && id(lane) < best_id))) return false;
-        best_t = t;
-        best_id = id(lane);
-        return true;
+    /// Lowers best_t and sets best_id where one of the possible lanes' triangles is nearer, or as near with a lower id;
+    /// where any hit will do, the first one does. Returns whether there was one. `distance_of` knows how far the
+    /// triangles of certain lanes are.
+    template <bool any_hit, typename DistanceOf>
+    HWY_INLINE bool settle(uint32_t possible, uint32_t certain, const Point3 &org, const Point3 &dir, uint32_t left,
+                           float &best_t, uint32_t &best_id, DistanceOf &&distance_of) const {
+        bool hit = false;
+        for (; possible != 0; possible &= possible - 1) {
+            const uint32_t lane = lowest_bit(possible);
+            if (id(lane) == left) continue;
+            const float t = (certain >> lane & 1) != 0 ? distance_of(lane) : exact(lane, org, dir);
+            if (!(t > 0.0f && (t < best_t || (!any_hit && t == best_t && id(lane) < best_id)))) continue;
+            best_t = t;
+            best_id = id(lane);
+            if (any_hit) return true;
+            hit = true;
+        }
+        return hit;
     }
     [[nodiscard]] HWY_INLINE float exact(uint32_t lane, const Point3 &org, const Point3 &dir) const {
         const TriangleSetup triangle(words_, count_, first_ + lane);
@@ -92,12 +84,12 @@ protected:
 struct LeafVerdict {
     uint32_t outside, certain;
 };
-HWY_INLINE LeafVerdict judge_leaf(LeafFloats det, LeafFloats u, LeafFloats v, LeafFloats margin) {
+HWY_INLINE LeafVerdict judge_leaf(NarrowFloats det, NarrowFloats u, NarrowFloats v, NarrowFloats margin) {
     const auto w = (det - u) - v;
     const auto least = hn::Min(hn::Min(u, v), w), greatest = hn::Max(hn::Max(u, v), w);
     const auto minus_margin = hn::Neg(margin);
-    return {leaf_bits(hn::And(hn::Gt(greatest, margin), hn::Lt(least, minus_margin))),
-            leaf_bits(hn::Or(hn::Gt(least, margin), hn::Lt(greatest, minus_margin)))};
+    return {bits_of(narrow_floats, hn::And(hn::Gt(greatest, margin), hn::Lt(least, minus_margin))),
+            bits_of(narrow_floats, hn::Or(hn::Gt(least, margin), hn::Lt(greatest, minus_margin)))};
 }
 
 /// Planes as ExactPlane has them, for half of the lanes.
@@ -129,8 +121,8 @@ struct LeafPlanes {
         return (n[0] * (a[0] - set(org.x)) + n[1] * (a[1] - set(org.y))) + n[2] * (a[2] - set(org.z));
     }
 };
-HWY_INLINE LeafFloats both_halves(HalfLeafDoubles lower, HalfLeafDoubles upper) {
-    return hn::Combine(leaf_floats, hn::DemoteTo(half_leaf_floats, upper), hn::DemoteTo(half_leaf_floats, lower));
+HWY_INLINE NarrowFloats both_halves(HalfLeafDoubles lower, HalfLeafDoubles upper) {
+    return hn::Combine(narrow_floats, hn::DemoteTo(half_leaf_floats, upper), hn::DemoteTo(half_leaf_floats, lower));
 }
 
 /// For rays that start anywhere: see TriangleFromAnywhere. `for_many`: for so many rays that distances to all planes
@@ -151,19 +143,19 @@ public:
           nx_(e1y_ * e2z_ - e1z_ * e2y_),
           ny_(e1z_ * e2x_ - e1x_ * e2z_),
           nz_(e1x_ * e2y_ - e1y_ * e2x_),
-          margin_(hn::Zero(leaf_floats)),
-          margin_per_q_(hn::Zero(leaf_floats)) {
+          margin_(hn::Zero(narrow_floats)),
+          margin_per_q_(hn::Zero(narrow_floats)) {
         const auto e = hn::Max(abs_max(e1x_, e1y_, e1z_), abs_max(e2x_, e2y_, e2z_));
-        margin_ = e * (leaf_splat(from_anywhere_error * dir_reach) * (leaf_splat(reach) + (e + e))) +
-                  leaf_splat(least_margin);
-        margin_per_q_ = leaf_splat(from_anywhere_cross_error) * e;
+        margin_ = e * (narrow_splat(from_anywhere_error * dir_reach) * (narrow_splat(reach) + (e + e))) +
+                  narrow_splat(least_margin);
+        margin_per_q_ = narrow_splat(from_anywhere_cross_error) * e;
     }
 
     /// `dir_reach` is the largest coordinate of this ray's direction.
     template <bool any_hit> HWY_INLINE bool hit(const Point3 &org, const Point3 &dir, float dir_reach, uint32_t left,
                                                 float &best_t, uint32_t &best_id) {
-        const auto dx = leaf_splat(dir.x), dy = leaf_splat(dir.y), dz = leaf_splat(dir.z);
-        const auto sx = leaf_splat(org.x) - ax_, sy = leaf_splat(org.y) - ay_, sz = leaf_splat(org.z) - az_;
+        const auto dx = narrow_splat(dir.x), dy = narrow_splat(dir.y), dz = narrow_splat(dir.z);
+        const auto sx = narrow_splat(org.x) - ax_, sy = narrow_splat(org.y) - ay_, sz = narrow_splat(org.z) - az_;
         const auto qx = dy * sz - dz * sy, qy = dz * sx - dx * sz, qz = dx * sy - dy * sx;
         const auto margin = margin_ + margin_per_q_ * ((hn::Abs(qx) + hn::Abs(qy)) + hn::Abs(qz));
         const LeafVerdict verdict = judge_leaf((nx_ * dx + ny_ * dy) + nz_ * dz, (e2x_ * qx + e2y_ * qy) + e2z_ * qz,
@@ -171,30 +163,16 @@ public:
         uint32_t possible = ~verdict.outside & valid_ & ~passes;
         if (possible == 0) return false;
         uint32_t grazing = 0;
-        alignas(32) float t[leaf_lanes];
+        alignas(32) float t[narrow_lanes];
         if constexpr (for_many) {
             if (!has_planes_) make_planes();
             const auto det = (plane_[0] * dx + plane_[1] * dy) + plane_[2] * dz;
-            grazing = leaf_bits(hn::Lt(hn::Abs(det), grazing_ * leaf_splat(dir_reach)));
-            hn::Store(both_halves(lower_.offset(org), upper_.offset(org)) / det, leaf_floats, t);
+            grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(det), grazing_ * narrow_splat(dir_reach)));
+            hn::Store(both_halves(lower_.offset(org), upper_.offset(org)) / det, narrow_floats, t);
         }
-        bool hit = false;
-        for (; possible != 0; possible &= possible - 1) {
-            const uint32_t lane = lowest_bit(possible);
-            if (id(lane) == left) continue;
-            float there;
-            if ((verdict.certain >> lane & 1) == 0) {
-                there = exact(lane, org, dir);
-            } else if (!for_many || (grazing >> lane & 1) != 0) {
-                there = distance(lane, org, dir, dir_reach);
-            } else {
-                there = t[lane];
-            }
-            if (!take<any_hit>(lane, there, best_t, best_id)) continue;
-            hit = true;
-            if (any_hit) return true;
-        }
-        return hit;
+        return settle<any_hit>(possible, verdict.certain, org, dir, left, best_t, best_id, [&](uint32_t lane) {
+            return !for_many || (grazing >> lane & 1) != 0 ? distance(lane, org, dir, dir_reach) : t[lane];
+        });
     }
 
 private:
@@ -202,15 +180,15 @@ private:
         lower_ = LeafPlanes(*this, false);
         upper_ = LeafPlanes(*this, true);
         for (int i = 0; i < 3; ++i) plane_[i] = both_halves(lower_.n[i], upper_.n[i]);
-        grazing_ = leaf_splat(least_slope) * ((hn::Abs(plane_[0]) + hn::Abs(plane_[1])) + hn::Abs(plane_[2]));
+        grazing_ = narrow_splat(least_slope) * ((hn::Abs(plane_[0]) + hn::Abs(plane_[1])) + hn::Abs(plane_[2]));
         has_planes_ = true;
     }
 
-    LeafFloats ax_, ay_, az_, e1x_, e1y_, e1z_, e2x_, e2y_, e2z_, nx_, ny_, nz_, margin_, margin_per_q_;
+    NarrowFloats ax_, ay_, az_, e1x_, e1y_, e1z_, e2x_, e2y_, e2z_, nx_, ny_, nz_, margin_, margin_per_q_;
     bool has_planes_ = false; ///< what follows is made when a ray may hit
     LeafPlanes lower_{}, upper_{};
-    LeafFloats plane_[3] = {hn::Zero(leaf_floats), hn::Zero(leaf_floats), hn::Zero(leaf_floats)};
-    LeafFloats grazing_ = hn::Zero(leaf_floats);
+    NarrowFloats plane_[3] = {hn::Zero(narrow_floats), hn::Zero(narrow_floats), hn::Zero(narrow_floats)};
+    NarrowFloats grazing_ = hn::Zero(narrow_floats);
 };
 
 /// For rays from one point: see TriangleFromPoint.
@@ -229,34 +207,24 @@ public:
                                abs_max(row(6) - row(0), row(7) - row(1), row(8) - row(2)));
         const auto s = abs_max(both_halves(lower.s[0], upper.s[0]), both_halves(lower.s[1], upper.s[1]),
                                both_halves(lower.s[2], upper.s[2]));
-        margin_ = leaf_splat(from_point_error * dir_reach) * e * (s + e) + leaf_splat(least_margin);
-        grazing_ = leaf_splat(least_slope) * ((hn::Abs(n_[0]) + hn::Abs(n_[1])) + hn::Abs(n_[2]));
+        margin_ = narrow_splat(from_point_error * dir_reach) * e * (s + e) + narrow_splat(least_margin);
+        grazing_ = narrow_splat(least_slope) * ((hn::Abs(n_[0]) + hn::Abs(n_[1])) + hn::Abs(n_[2]));
     }
 
     template <bool any_hit> HWY_INLINE bool hit(const Point3 &, const Point3 &dir, float dir_reach, uint32_t left,
                                                 float &best_t, uint32_t &best_id) {
-        const auto dx = leaf_splat(dir.x), dy = leaf_splat(dir.y), dz = leaf_splat(dir.z);
+        const auto dx = narrow_splat(dir.x), dy = narrow_splat(dir.y), dz = narrow_splat(dir.z);
         const auto det = (n_[0] * dx + n_[1] * dy) + n_[2] * dz;
         const LeafVerdict verdict =
             judge_leaf(det, (u_[0] * dx + u_[1] * dy) + u_[2] * dz, (v_[0] * dx + v_[1] * dy) + v_[2] * dz, margin_);
         uint32_t possible = ~verdict.outside & valid_ & ~passes;
         if (possible == 0) return false;
-        const uint32_t grazing = leaf_bits(hn::Lt(hn::Abs(det), grazing_ * leaf_splat(dir_reach)));
-        alignas(32) float t[leaf_lanes];
-        hn::Store(offset_ / det, leaf_floats, t);
-        bool hit = false;
-        for (; possible != 0; possible &= possible - 1) {
-            const uint32_t lane = lowest_bit(possible);
-            if (id(lane) == left) continue;
-            const bool certain = (verdict.certain >> lane & 1) != 0, is_grazing = (grazing >> lane & 1) != 0;
-            const float there = !certain     ? exact(lane, org_, dir)
-                                : is_grazing ? distance(lane, org_, dir, dir_reach)
-                                             : t[lane];
-            if (!take<any_hit>(lane, there, best_t, best_id)) continue;
-            hit = true;
-            if (any_hit) return true;
-        }
-        return hit;
+        const uint32_t grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(det), grazing_ * narrow_splat(dir_reach)));
+        alignas(32) float t[narrow_lanes];
+        hn::Store(offset_ / det, narrow_floats, t);
+        return settle<any_hit>(possible, verdict.certain, org_, dir, left, best_t, best_id, [&](uint32_t lane) {
+            return (grazing >> lane & 1) != 0 ? distance(lane, org_, dir, dir_reach) : t[lane];
+        });
     }
 
 private:
@@ -278,7 +246,7 @@ private:
     };
 
     const Point3 &org_;
-    LeafFloats u_[3], v_[3], n_[3], offset_, margin_, grazing_;
+    NarrowFloats u_[3], v_[3], n_[3], offset_, margin_, grazing_;
 };
 
 } // namespace glint::HWY_NAMESPACE

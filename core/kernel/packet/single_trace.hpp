@@ -33,7 +33,7 @@ template <bool any_hit> HWY_INLINE bool hit_leaf(const TraceQuestion &question, 
                                                  float reach, uint32_t left, float &best_t, uint32_t &best_id) {
     const uint32_t *words = question.geometry.leaf_words + words_per_reference * size_t{first_reference};
     bool hit = false;
-    for (uint32_t first = 0; first < count; first += leaf_lanes) {
+    for (uint32_t first = 0; first < count; first += narrow_lanes) {
         LeafFromAnywhere<false> leaf(words, count, first, dir_reach, reach);
         leaf.passes = any_hit ? leaf.passed_by(question) : 0;
         hit |= leaf.template hit<any_hit>(org, dir, max_abs(dir), left, best_t, best_id);

@@ -9,8 +9,10 @@ namespace glint::HWY_NAMESPACE {
 
 /// Fewer rays than this are not worth a list. Measured: see docs/performance.md.
 inline constexpr uint32_t fewest_in_stream = 3;
-/// Fewer rays than this are not worth asking the beam around all rays first.
-inline constexpr uint32_t fewest_in_beam = 16;
+/// Fewer rays than this ask a node's children at once, not the beam around all rays first.
+inline constexpr uint32_t fewest_to_ask_beam = 16;
+/// Lists that wait: those of a node's children at every level.
+inline constexpr uint32_t most_lists = (WideNode::width - 1) * max_bvh_depth + WideNode::width;
 
 template <bool shares_origin, bool any_hit> class StreamTrace {
 public:
@@ -103,7 +105,7 @@ private:
     /// Rays of one octant.
     HWY_INLINE void walk(const uint32_t *sorted, uint32_t count) {
         const Rows rows(octant_[sorted[0]]);
-        Pending stack[bvh_stack_size];
+        Pending stack[most_lists];
         uint32_t pending = 0;
         for (uint32_t i = 0; i < count; ++i) ids_[i] = sorted[i];
         stack[pending++] = {ChildLink::node(0).word(), 0, static_cast<uint16_t>(count), 0.0f, hits_};
@@ -170,7 +172,7 @@ private:
     HWY_INLINE uint32_t visit_node(const Rows &rows, ChildLink link, const Pending &now, Pending *stack,
                                    uint32_t pending) {
         const WideNode &node = question_.geometry.wide_nodes[link.number()];
-        if (beam_ && now.count >= fewest_in_beam) {
+        if (beam_ && now.count >= fewest_to_ask_beam) {
             alignas(32) float begins[WideNode::width];
             const uint32_t reached = children_in_beam(*beam_, node, begins);
             if (reached == 0) return pending;
@@ -185,37 +187,37 @@ private:
         alignas(64) uint32_t entered[group_size + lane_count];
         uint32_t any = 0, all = ~0u;
         alignas(32) float begins[WideNode::width]; // the least of all rays
-        NodeFloats first_begin[WideNode::width / node_lanes];
-        for (NodeFloats &b : first_begin) b = hn::Set(node_floats, __builtin_inff());
+        NarrowFloats first_begin[WideNode::width / narrow_lanes];
+        for (NarrowFloats &b : first_begin) b = narrow_splat(__builtin_inff());
         constexpr size_t w = WideNode::width;
         for (uint32_t i = 0; i < now.count; ++i) {
             const uint32_t ray = ids[i];
             uint32_t bits = 0;
-            for (uint32_t c = 0; c < WideNode::width; c += node_lanes) {
+            for (uint32_t c = 0; c < WideNode::width; c += narrow_lanes) {
                 const auto slab = [&](size_t row, const float *inverse, const float *offset) {
-                    return hn::MulSub(hn::Load(node_floats, bounds + row + c), hn::Set(node_floats, inverse[ray]),
-                                      hn::Set(node_floats, offset[ray]));
+                    return hn::MulSub(hn::Load(narrow_floats, bounds + row + c), narrow_splat(inverse[ray]),
+                                      narrow_splat(offset[ray]));
                 };
                 const auto begin =
                     hn::Max(hn::Max(slab(rows.near_x, inverse_[0], near_offset_[0]),
                                     slab(rows.near_y, inverse_[1], near_offset_[1])),
-                            hn::Max(slab(rows.near_z, inverse_[2], near_offset_[2]), hn::Zero(node_floats)));
-                const auto stop = hn::Min(
-                    hn::Min(slab(3 * w - rows.near_x, inverse_[0], far_offset_[0]),
-                            slab(5 * w - rows.near_y, inverse_[1], far_offset_[1])),
-                    hn::Min(slab(7 * w - rows.near_z, inverse_[2], far_offset_[2]), hn::Set(node_floats, end_[ray])));
+                            hn::Max(slab(rows.near_z, inverse_[2], near_offset_[2]), hn::Zero(narrow_floats)));
+                const auto stop =
+                    hn::Min(hn::Min(slab(3 * w - rows.near_x, inverse_[0], far_offset_[0]),
+                                    slab(5 * w - rows.near_y, inverse_[1], far_offset_[1])),
+                            hn::Min(slab(7 * w - rows.near_z, inverse_[2], far_offset_[2]), narrow_splat(end_[ray])));
                 const auto enters = hn::Le(begin, stop);
-                NodeFloats &least = first_begin[c / node_lanes];
+                NarrowFloats &least = first_begin[c / narrow_lanes];
                 least = hn::Min(least, hn::IfThenElse(enters, begin, least));
-                bits |= node_bits(enters) << c;
+                bits |= bits_of(narrow_floats, enters) << c;
             }
             entered[i] = bits;
             any |= bits;
             all &= bits;
         }
         if (any == 0) return pending;
-        for (uint32_t c = 0; c < WideNode::width; c += node_lanes) {
-            hn::Store(first_begin[c / node_lanes], node_floats, begins + c);
+        for (uint32_t c = 0; c < WideNode::width; c += narrow_lanes) {
+            hn::Store(first_begin[c / narrow_lanes], narrow_floats, begins + c);
         }
 
         // Far children first, so that near ones are on top of the stack.
@@ -223,9 +225,7 @@ private:
         for (; any != 0; any &= any - 1) {
             const uint32_t c = lowest_bit(any);
             uint32_t place = used++;
-            {
-                for (; place > 0 && begins[order[place - 1]] < begins[c]; --place) order[place] = order[place - 1];
-            }
+            for (; place > 0 && begins[order[place - 1]] < begins[c]; --place) order[place] = order[place - 1];
             order[place] = c;
         }
         // The last list takes the place of the one that was read.
@@ -250,7 +250,7 @@ private:
     HWY_INLINE void visit_leaf(ChildLink link, const uint32_t *ids, uint32_t count) {
         const uint32_t references = link.reference_count();
         const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{link.number()};
-        for (uint32_t first = 0; first < references; first += leaf_lanes) {
+        for (uint32_t first = 0; first < references; first += narrow_lanes) {
             if constexpr (shares_origin) {
                 LeafFromPoint leaf(words, references, first, rays_.shared_origin, dir_reach_);
                 hit(leaf, ids, count);

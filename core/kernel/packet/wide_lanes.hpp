@@ -7,56 +7,69 @@
 
 namespace glint::HWY_NAMESPACE {
 
-using NodeTag = hn::CappedTag<float, WideNode::width>;
-using NodeFloats = hn::Vec<NodeTag>;
-inline constexpr NodeTag node_floats;
-/// Children of a node in one vector.
-inline constexpr uint32_t node_lanes = lane_count < WideNode::width ? lane_count : WideNode::width;
+/// Children that wait for their turn, the nearest on top.
+class WaitingChildren {
+public:
+    /// Of the children whose bits are set (one at least), which begin there, the nearest is returned; the others wait.
+    template <bool in_order>
+    HWY_INLINE ChildLink nearest_of(const WideNode &node, const float *begins, uint32_t entered) {
+        uint64_t nearest = entry(node, begins, lowest_bit(entered));
+        uint64_t *const bottom = top_;
+        while ((entered &= entered - 1) != 0) {
+            const uint64_t other = entry(node, begins, lowest_bit(entered)), farther = larger(nearest, other);
+            nearest = smaller(nearest, other);
+            uint64_t *place = top_++;
+            if constexpr (in_order) {
+                for (; place != bottom && place[-1] < farther; --place) *place = place[-1];
+            }
+            *place = farther;
+        }
+        return ChildLink(static_cast<uint32_t>(nearest));
+    }
 
-inline constexpr uint32_t bvh_stack_size = (WideNode::width - 1) * max_bvh_depth + WideNode::width;
+    /// The next that begins before `end`; false if there is none.
+    HWY_INLINE bool next(float end, ChildLink &child) {
+        do {
+            if (top_ == entries_) return false;
+            --top_;
+        } while (__builtin_bit_cast(float, static_cast<uint32_t>(*top_ >> 32)) > end);
+        child = ChildLink(static_cast<uint32_t>(*top_));
+        return true;
+    }
 
-HWY_INLINE uint32_t node_bits(hn::Mask<NodeTag> mask) {
-#if HWY_TARGET == HWY_AVX3
-    return mask.raw;
-#else
-    uint64_t bits = 0;
-    hn::StoreMaskBits(node_floats, mask, reinterpret_cast<uint8_t *>(&bits));
-    return static_cast<uint32_t>(bits) & ((1u << node_lanes) - 1);
-#endif
-}
+private:
+    /// Where it begins in the upper half: not negative, and so in order as a number too.
+    static HWY_INLINE uint64_t entry(const WideNode &node, const float *begins, uint32_t i) {
+        return uint64_t{__builtin_bit_cast(uint32_t, begins[i])} << 32 | node.child[i];
+    }
 
-/// A child that waits: where it begins in the upper half, positive and so in order as a number too.
-HWY_INLINE uint64_t pending_child(const WideNode &node, const float *begins, uint32_t i) {
-    return uint64_t{__builtin_bit_cast(uint32_t, begins[i])} << 32 | node.child[i];
-}
-HWY_INLINE float begin_of(uint64_t child) {
-    return __builtin_bit_cast(float, static_cast<uint32_t>(child >> 32));
-}
+    uint64_t entries_[(WideNode::width - 1) * max_bvh_depth + WideNode::width];
+    uint64_t *top_ = entries_;
+};
 
-/// Bit i for every child that the beam may enter.
+/// Bit i for every child that the beam may enter, and how far behind the beam's own begin it does.
 HWY_INLINE uint32_t children_in_beam(const Beam &beam, const WideNode &node, float *begins) {
     const BeamAxes &axes = beam.axes;
     const uint32_t z_near = static_cast<uint32_t>(axes.z) + (axes.sign > 0.0f ? WideNode::lowest : WideNode::highest);
     const uint32_t z_far = static_cast<uint32_t>(2 * axes.z) + WideNode::highest - z_near;
     uint32_t entered = 0;
-    const auto set = [](float value) { return hn::Set(node_floats, value); };
-    for (uint32_t i = 0; i < WideNode::width; i += node_lanes) {
-        const auto row = [&](uint32_t r) { return hn::Load(node_floats, node.bounds[r] + i); };
-        const auto sign = set(axes.sign), base_z = set(axes.base_z());
+    for (uint32_t i = 0; i < WideNode::width; i += narrow_lanes) {
+        const auto row = [&](uint32_t r) { return hn::Load(narrow_floats, node.bounds[r] + i); };
+        const auto sign = narrow_splat(axes.sign), base_z = narrow_splat(axes.base_z());
         const auto z_lo = (row(z_near) - base_z) * sign, z_hi = (row(z_far) - base_z) * sign;
-        const auto from = hn::Max(z_lo, set(beam.z_begin)), to = hn::Min(z_hi, set(beam.z_end));
-        auto inside = hn::Le(from, to + set(2.0f * beam.slack));
+        const auto from = hn::Max(z_lo, narrow_splat(beam.z_begin)), to = hn::Min(z_hi, narrow_splat(beam.z_end));
+        auto inside = hn::Le(from, to + narrow_splat(2.0f * beam.slack));
         for (int side = 0; side < 4; ++side) {
             const int axis = side < 2 ? axes.u : axes.v;
-            const auto base = set(side < 2 ? axes.base_u() : axes.base_v());
-            const auto slope = set(beam.slope[side]);
-            const auto reach = set(beam.offset[side]) + hn::Max(slope * from, slope * to);
+            const auto base = narrow_splat(side < 2 ? axes.base_u() : axes.base_v());
+            const auto slope = narrow_splat(beam.slope[side]);
+            const auto reach = narrow_splat(beam.offset[side]) + hn::Max(slope * from, slope * to);
             const auto across = side % 2 == 0 ? base - row(static_cast<uint32_t>(axis) + WideNode::highest)
                                               : row(static_cast<uint32_t>(axis) + WideNode::lowest) - base;
             inside = hn::And(inside, hn::Le(across, reach));
         }
-        hn::Store(hn::Max(from, hn::Zero(node_floats)), node_floats, begins + i);
-        entered |= node_bits(inside) << i;
+        hn::Store(from - narrow_splat(beam.z_begin), narrow_floats, begins + i);
+        entered |= bits_of(narrow_floats, inside) << i;
     }
     return entered;
 }
