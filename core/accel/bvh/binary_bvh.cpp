@@ -2,214 +2,13 @@
 #include "accel/bvh/binary_bvh.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 #include <vector>
 
+#include "accel/bvh/range_splitter.hpp"
 #include "accel/parallel_for.hpp"
 
 namespace glint {
 namespace {
-
-/// Four floats that the compiler may take as one register.
-struct alignas(16) Four {
-    float v[4];
-};
-inline Four lesser(const Four &a, const Four &b) {
-    Four r;
-    for (int i = 0; i < 4; ++i) r.v[i] = a.v[i] < b.v[i] ? a.v[i] : b.v[i];
-    return r;
-}
-inline Four greater(const Four &a, const Four &b) {
-    Four r;
-    for (int i = 0; i < 4; ++i) r.v[i] = a.v[i] > b.v[i] ? a.v[i] : b.v[i];
-    return r;
-}
-inline Four sum(const Four &a, const Four &b) {
-    Four r;
-    for (int i = 0; i < 4; ++i) r.v[i] = a.v[i] + b.v[i];
-    return r;
-}
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-struct Bounds {
-    Four lo{{infinity, infinity, infinity, infinity}}, hi{{-infinity, -infinity, -infinity, -infinity}};
-
-    void extend(const Four &point) {
-        lo = lesser(lo, point);
-        hi = greater(hi, point);
-    }
-    void extend(const Bounds &other) {
-        lo = lesser(lo, other.lo);
-        hi = greater(hi, other.hi);
-    }
-    [[nodiscard]] float half_area() const {
-        const float x = hi.v[0] - lo.v[0], y = hi.v[1] - lo.v[1], z = hi.v[2] - lo.v[2];
-        return x * y + (y * z + z * x);
-    }
-};
-
-/// A triangle's box. The fourth lane of `hi` is its number, as the bits of a small float.
-struct Item {
-    Four lo, hi;
-
-    [[nodiscard]] Four centre() const { return sum(lo, hi); } ///< twice
-    [[nodiscard]] uint32_t triangle_id() const { return std::bit_cast<uint32_t>(hi.v[3]); }
-};
-
-/// Some triangles that stand in a row, and where.
-struct Range {
-    uint32_t begin, end;
-    Bounds box, centres;
-
-    [[nodiscard]] uint32_t count() const { return end - begin; }
-};
-
-constexpr int bin_count = 16;
-
-/// Triangles by where their centres lie.
-struct Bins {
-    Bounds box[3][bin_count];
-    uint32_t count[3][bin_count] = {};
-
-    void add(const Bins &other) {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (int bin = 0; bin < bin_count; ++bin) {
-                box[axis][bin].extend(other.box[axis][bin]);
-                count[axis][bin] += other.count[axis][bin];
-            }
-        }
-    }
-};
-
-/// From a centre to its bin, along each axis.
-struct Binning {
-    Four origin, scale;
-
-    explicit Binning(const Bounds &centres) : origin(centres.lo), scale{} {
-        for (int axis = 0; axis < 3; ++axis) {
-            const float extent = centres.hi.v[axis] - centres.lo.v[axis];
-            const float s = bin_count * (1.0f - 0x1p-20f) / extent;
-            scale.v[axis] = extent > 0.0f && s < infinity ? s : 0.0f;
-        }
-    }
-    [[nodiscard]] bool divides(int axis) const { return scale.v[axis] > 0.0f; }
-    [[nodiscard]] int bin(const Four &centre, int axis) const {
-        return static_cast<int>((centre.v[axis] - origin.v[axis]) * scale.v[axis]);
-    }
-    void put(std::span<const Item> items, Bins &bins) const {
-        for (const Item &item : items) {
-            const Four centre = item.centre();
-            const Bounds box{item.lo, item.hi};
-            for (int axis = 0; axis < 3; ++axis) {
-                const int b = bin(centre, axis);
-                bins.box[axis][b].extend(box);
-                ++bins.count[axis][b];
-            }
-        }
-    }
-};
-
-/// Bins below `bin` along `axis` go left.
-struct Split {
-    int axis = -1, bin = 0;
-    float cost = infinity; ///< times the box's half area
-    Bounds left, right;
-    uint32_t left_count = 0;
-};
-
-/// What so many triangles in one leaf cost, in steps through a node.
-float leaf_cost(uint32_t count) {
-    return static_cast<float>((count + 7) / 8);
-}
-
-Split best_split(const Bins &bins, const Binning &binning) {
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!binning.divides(axis)) continue;
-        Bounds left[bin_count];
-        uint32_t left_count[bin_count];
-        Bounds box;
-        uint32_t count = 0;
-        for (int bin = 1; bin < bin_count; ++bin) {
-            box.extend(bins.box[axis][bin - 1]);
-            count += bins.count[axis][bin - 1];
-            left[bin] = box;
-            left_count[bin] = count;
-        }
-        box = {};
-        count = 0;
-        for (int bin = bin_count - 1; bin > 0; --bin) {
-            box.extend(bins.box[axis][bin]);
-            count += bins.count[axis][bin];
-            if (count == 0 || left_count[bin] == 0) continue;
-            const float cost = left[bin].half_area() * leaf_cost(left_count[bin]) + box.half_area() * leaf_cost(count);
-            if (cost < best.cost) best = {axis, bin, cost, left[bin], box, left_count[bin]};
-        }
-    }
-    return best;
-}
-
-/// Splits ranges that lie in an array of items in place.
-class RangeSplitter {
-public:
-    explicit RangeSplitter(std::span<Item> items) : items_(items) {}
-
-    /// False where a leaf is cheaper.
-    bool split(const Range &range, uint32_t depth, Range &left, Range &right) {
-        if (range.count() <= 2) return false;
-        const Binning binning(range.centres);
-        const std::span<Item> items = items_.subspan(range.begin, range.count());
-        Split split;
-        if (depth < max_binary_depth / 2) {
-            bins_ = {};
-            binning.put(items, bins_);
-            split = best_split(bins_, binning);
-        }
-        const float area = range.box.half_area();
-        if (range.count() <= max_bvh_leaf && !(split.cost + area < leaf_cost(range.count()) * area)) return false;
-        if (split.axis < 0) {
-            halve(range, left, right);
-            return true;
-        }
-        left = {range.begin, range.begin + split.left_count, split.left, {}};
-        right = {left.end, range.end, split.right, {}};
-        uint32_t i = 0, j = range.count();
-        while (true) {
-            for (; i < j; ++i) {
-                const Four centre = items[i].centre();
-                if (binning.bin(centre, split.axis) >= split.bin) break;
-                left.centres.extend(centre);
-            }
-            for (; i < j; --j) {
-                const Four centre = items[j - 1].centre();
-                if (binning.bin(centre, split.axis) < split.bin) break;
-                right.centres.extend(centre);
-            }
-            if (i == j) break;
-            std::swap(items[i], items[j - 1]);
-        }
-        return true;
-    }
-
-private:
-    /// For triangles that all have the same centre, and where the hierarchy gets too deep.
-    void halve(const Range &range, Range &left, Range &right) {
-        const uint32_t middle = range.begin + range.count() / 2;
-        left = {range.begin, middle, {}, {}};
-        right = {middle, range.end, {}, {}};
-        for (Range *half : {&left, &right}) {
-            for (uint32_t i = half->begin; i < half->end; ++i) {
-                half->box.extend({items_[i].lo, items_[i].hi});
-                half->centres.extend(items_[i].centre());
-            }
-        }
-    }
-
-    std::span<Item> items_;
-    Bins bins_;
-};
 
 /// The whole building site.
 class Builder {
@@ -230,7 +29,7 @@ public:
         // above the subtrees come first.
         bvh_.nodes.resize(max_top_nodes + 2 * size_t{count_});
         bvh_.triangle_ids.resize(count_);
-        const Range all = measure({0, count_, {}, {}}, items_);
+        const TriangleRange all = measure({0, count_, {}, {}}, items_);
         const uint32_t large = std::max(count_ / max_subtrees, 4096u);
         std::vector<Site> open{{0, 0, all, false}};
         std::vector<Site> subtrees;
@@ -238,7 +37,7 @@ public:
         while (!open.empty()) {
             const Site site = open.back();
             open.pop_back();
-            Range left, right;
+            TriangleRange left, right;
             if (site.range.count() <= large || top_nodes + 2 > max_top_nodes || site.depth > 20 ||
                 !split_together(site, left, right)) {
                 subtrees.push_back(site);
@@ -263,23 +62,23 @@ private:
     /// A node to be built.
     struct Site {
         uint32_t node, depth;
-        Range range;
+        TriangleRange range;
         bool in_other; ///< its items are in other_
     };
 
-    [[nodiscard]] std::span<Item> array(bool other) { return other ? std::span(other_) : std::span(items_); }
+    [[nodiscard]] std::span<BoundedTriangle> array(bool other) { return other ? std::span(other_) : std::span(items_); }
 
-    Range measure(Range range, std::span<const Item> items) {
+    TriangleRange measure(TriangleRange range, std::span<const BoundedTriangle> items) {
         const size_t pieces = (range.count() + piece - 1) / piece;
-        std::vector<Range> parts(pieces, Range{0, 0, {}, {}});
+        std::vector<TriangleRange> parts(pieces, TriangleRange{0, 0, {}, {}});
         parallel_for_pieces(range.count(), piece, threads_, [&](size_t begin, size_t end) {
-            Range &part = parts[begin / piece];
-            for (const Item &item : items.subspan(range.begin + begin, end - begin)) {
+            TriangleRange &part = parts[begin / piece];
+            for (const BoundedTriangle &item : items.subspan(range.begin + begin, end - begin)) {
                 part.box.extend({item.lo, item.hi});
                 part.centres.extend(item.centre());
             }
         });
-        for (const Range &part : parts) {
+        for (const TriangleRange &part : parts) {
             range.box.extend(part.box);
             range.centres.extend(part.centres);
         }
@@ -287,19 +86,19 @@ private:
     }
 
     /// By all threads, from one array to the other. False where bins do not divide the range.
-    bool split_together(const Site &site, Range &left, Range &right) {
-        const Range &range = site.range;
-        const std::span<const Item> from = array(site.in_other).subspan(range.begin, range.count());
-        const std::span<Item> to = array(!site.in_other).subspan(range.begin, range.count());
+    bool split_together(const Site &site, TriangleRange &left, TriangleRange &right) {
+        const TriangleRange &range = site.range;
+        const std::span<const BoundedTriangle> from = array(site.in_other).subspan(range.begin, range.count());
+        const std::span<BoundedTriangle> to = array(!site.in_other).subspan(range.begin, range.count());
         const Binning binning(range.centres);
         const size_t pieces = (from.size() + piece - 1) / piece;
-        std::vector<Bins> bins(pieces);
+        std::vector<CentreBins> bins(pieces);
         parallel_for_pieces(from.size(), piece, threads_, [&](size_t begin, size_t end) {
             binning.put(from.subspan(begin, end - begin), bins[begin / piece]);
         });
-        Bins all;
-        for (const Bins &part : bins) all.add(part);
-        const Split split = best_split(all, binning);
+        CentreBins all;
+        for (const CentreBins &part : bins) all.add(part);
+        const BinSplit split = best_split(all, binning);
         if (split.axis < 0) return false;
         left = {range.begin, range.begin + split.left_count, split.left, {}};
         right = {left.end, range.end, split.right, {}};
@@ -317,7 +116,7 @@ private:
         parallel_for_pieces(from.size(), piece, threads_, [&](size_t begin, size_t end) {
             const size_t number = begin / piece;
             uint32_t l = lefts[number], r = rights[number];
-            for (const Item &item : from.subspan(begin, end - begin)) {
+            for (const BoundedTriangle &item : from.subspan(begin, end - begin)) {
                 const Four centre = item.centre();
                 const bool is_left = binning.bin(centre, split.axis) < split.bin;
                 (is_left ? left_centres : right_centres)[number].extend(centre);
@@ -343,14 +142,14 @@ private:
 
     /// A subtree, by one thread.
     void grow(const Site &root) {
-        const std::span<Item> items = array(root.in_other);
+        const std::span<BoundedTriangle> items = array(root.in_other);
         RangeSplitter splitter(items);
         uint32_t next = max_top_nodes + 2 * root.range.begin;
         std::vector<Site> open{root};
         while (!open.empty()) {
             const Site site = open.back();
             open.pop_back();
-            Range left, right;
+            TriangleRange left, right;
             if (splitter.split(site.range, site.depth, left, right)) {
                 write(site.node, site.range.box, next, 0);
                 open.push_back({next + 1, site.depth + 1, right, false});
@@ -365,7 +164,7 @@ private:
 
     unsigned threads_;
     uint32_t count_;
-    UninitializedVector<Item> items_, other_;
+    UninitializedVector<BoundedTriangle> items_, other_;
     BinaryBvh bvh_;
 };
 

@@ -12,8 +12,7 @@ namespace glint {
 
 struct BinaryNode {
     float lo[3];
-    uint32_t
-        first; ///< of a leaf the first triangle in the order of `triangle_ids`; else the left child, the right is next
+    uint32_t first; ///< of a leaf its first place in `triangle_ids`; else the left child, with the right one next
     float hi[3];
     uint32_t count; ///< triangles of a leaf; 0 for inner nodes
 
