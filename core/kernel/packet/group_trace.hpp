@@ -176,7 +176,7 @@ private:
     }
 
     /// True when there is nothing left to trace.
-    HWY_INLINE bool visit_leaf(uint32_t first_reference, uint32_t count) {
+    HWY_NOINLINE bool visit_leaf(uint32_t first_reference, uint32_t count) {
         const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{first_reference};
         dirty_blocks_ = 0;
         for (uint32_t first = 0; first < count; first += lane_count) {
