@@ -38,6 +38,14 @@ struct Beam {
     float z_end;     ///< no ray goes farther
     float dir_reach; ///< largest coordinate of a direction
     float slack;     ///< see prepared_ray.hpp; contained in the offsets
+    Point3 apex;     ///< the point that all rays start from or seem to come from, if there is one: see apex.hpp
+    float apex_miss; ///< no ray's line passes the apex farther off, in its plane across z; negative without an apex
+
+    [[nodiscard]] HWY_INLINE bool has_apex() const { return apex_miss >= 0.0f; }
+    [[nodiscard]] HWY_INLINE float steepest() const {
+        return larger(larger(magnitude(slope[0]), magnitude(slope[1])),
+                      larger(magnitude(slope[2]), magnitude(slope[3])));
+    }
 };
 
 /// The four directions between which all rays of a beam lie, repeated over the lanes.
@@ -52,8 +60,7 @@ HWY_INLINE Points corner_directions(const Beam &beam) {
 }
 /// The largest coordinate of one of those.
 HWY_INLINE float corner_reach(const Beam &beam) {
-    return larger(1.0f, larger(larger(magnitude(beam.slope[0]), magnitude(beam.slope[1])),
-                               larger(magnitude(beam.slope[2]), magnitude(beam.slope[3]))));
+    return larger(1.0f, beam.steepest());
 }
 
 /// Beams steeper than this against their own axis are not worth making.
@@ -72,6 +79,13 @@ HWY_INLINE uint32_t first_ray_of(const RaySelection &selection) {
     uint32_t block = 0;
     while (selection.blocks[block] == 0) ++block;
     return block * block_size + lowest_bit(selection.blocks[block]);
+}
+
+/// Which comes last.
+HWY_INLINE uint32_t last_ray_of(const RaySelection &selection) {
+    uint32_t block = block_count - 1;
+    while (selection.blocks[block] == 0) --block;
+    return block * block_size + (31 - static_cast<uint32_t>(__builtin_clz(selection.blocks[block])));
 }
 
 /// The beam around the selected rays, of which there is at least one. False where they do not go one way.
@@ -106,11 +120,12 @@ HWY_INLINE bool make_beam(const RayGroup &rays, const RaySelection &selection, c
     beam.slope[1] = greatest_lane(u_hi);
     beam.slope[2] = -least_lane(v_lo);
     beam.slope[3] = greatest_lane(v_hi);
-    const float steepest = larger(larger(magnitude(beam.slope[0]), magnitude(beam.slope[1])),
-                                  larger(magnitude(beam.slope[2]), magnitude(beam.slope[3])));
+    const float steepest = beam.steepest();
     if (!(steepest <= steepest_slope)) return false;
     beam.dir_reach = greatest_lane(dir_reach);
     beam.z_end = __builtin_inff();
+    beam.apex = base;
+    beam.apex_miss = shares_origin ? 0.0f : -1.0f;
 
     if constexpr (shares_origin) {
         beam.slack = 0x1p-20f * reach_of(scene_bounds, base);
@@ -220,13 +235,14 @@ HWY_INLINE bool make_end_beam(const RayGroup &rays, const RayEnds &ends, const B
     beam.slope[1] = slope(ends.way_hi[axes.u]);
     beam.slope[2] = slope(-ends.way_lo[axes.v]);
     beam.slope[3] = slope(ends.way_hi[axes.v]);
-    const float steepest = larger(larger(magnitude(beam.slope[0]), magnitude(beam.slope[1])),
-                                  larger(magnitude(beam.slope[2]), magnitude(beam.slope[3])));
+    const float steepest = beam.steepest();
     if (!(steepest <= steepest_slope)) return false;
     beam.dir_reach = ends.way / ends.least_t_max;
     beam.slack = 0x1p-20f * reach_of(scene_bounds, rays.shared_origin);
     for (float &offset : beam.offset) offset = beam.slack * (1.0f + steepest);
     beam.z_begin = -beam.slack;
+    beam.apex = rays.shared_origin;
+    beam.apex_miss = 0.0f;
     beam.z_end = farthest + farthest * distance_error + beam.slack;
     return true;
 }

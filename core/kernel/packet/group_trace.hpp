@@ -217,36 +217,46 @@ private:
         if constexpr (shares_origin && any_hit) {
             if (all_end_before(triangle, plane)) return;
         }
-        if constexpr (shares_origin) {
-            if (tested_ == 0) {
-                corners_ = corner_directions(beam_);
-                corner_reach_ = corner_reach(beam_);
-            }
-            TriangleFromPoint test(triangle, plane, rays_.shared_origin, beam_.dir_reach);
-            const BeamVerdict verdict = test.judge_beam(corners_, corner_reach_);
-            if (verdict == BeamVerdict::missed) return;
-            const auto distances = [&](uint32_t ray, uint32_t lanes) { return test.distances(rays_.dir(ray), lanes); };
-            if (verdict == BeamVerdict::covered) {
-                for (uint32_t block = 0; block < block_count; ++block) hit_block(triangle, block, distances);
-                ++tested_;
-                if (!any_hit) update_group_end();
-                return;
-            }
-            for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
-                test_block(
-                    triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); }, distances);
-            }
-        } else {
-            const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
-            for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
-                test_block(
-                    triangle, lowest_bit(blocks),
-                    [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
-                    [&](uint32_t ray, uint32_t lanes) {
-                        return test.distances(rays_.org(ray), rays_.dir(ray), lanes);
-                    });
-            }
+        if (shares_origin || beam_.has_apex()) {
+            test_from_apex(triangle, plane);
+            return;
         }
+        const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
+        for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
+            test_block(
+                triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
+                [&](uint32_t ray, uint32_t lanes) { return distances(triangle, plane, ray, lanes); });
+        }
+    }
+
+    HWY_INLINE void test_from_apex(const TriangleSetup &triangle, const ExactPlane &plane) {
+        if (tested_ == 0) {
+            corners_ = corner_directions(beam_);
+            corner_reach_ = corner_reach(beam_);
+        }
+        const float off = shares_origin ? 0.0f : 4.0f * (1.0f + beam_.steepest()) * beam_.apex_miss;
+        TriangleFromPoint test(triangle, plane, beam_.apex, beam_.dir_reach, off);
+        const BeamVerdict verdict = test.judge_beam(corners_, corner_reach_);
+        if (verdict == BeamVerdict::missed) return;
+        const auto distances_of = [&](uint32_t ray, uint32_t lanes) {
+            if constexpr (shares_origin) return test.distances(rays_.dir(ray), lanes);
+            return distances(triangle, plane, ray, lanes);
+        };
+        if (verdict == BeamVerdict::covered) {
+            for (uint32_t block = 0; block < block_count; ++block) hit_block(triangle, block, distances_of);
+            ++tested_;
+            if (!any_hit) update_group_end();
+            return;
+        }
+        for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
+            test_block(
+                triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); }, distances_of);
+        }
+    }
+
+    HWY_INLINE Floats distances(const TriangleSetup &triangle, const ExactPlane &plane, uint32_t ray,
+                                uint32_t lanes) const {
+        return distances_from_anywhere(triangle, plane, rays_.org(ray), rays_.dir(ray), lanes);
     }
 
     HWY_INLINE uint32_t blocks_entered_by(const TriangleSetup &triangle) {

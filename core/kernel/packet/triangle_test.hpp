@@ -14,6 +14,9 @@ namespace glint::HWY_NAMESPACE {
 /// The error, by counting every rounding from the corners on, with eps = 2^-24 and all lengths in the maximum norm:
 ///  - from one point, cross products in double, rounded once: 10 eps |dir| |e| |s| for U and V, 10 eps |dir| |e|^2 for
 ///    n . dir, hence 26 eps |dir| |e| (|s| + |e|) for W;
+///  - along a line that passes the point a distance m off, in the plane across z, with |dir_u|, |dir_v| <= k dir_z: U
+///  and
+///    V by 2 (1 + k) m |e| dir_z besides, W by twice that;
 ///  - from anywhere, with q = dir x s: each component of q is off by 4 eps |dir| |s| + eps |q|, U and V by
 ///    |e| (12 eps |dir| |s| + 6 eps sum|q|), and n . dir, cross product in float, by 40 eps |dir| |e|^2.
 inline constexpr float from_point_error = 32 * 0x1p-24f;
@@ -92,9 +95,10 @@ enum class BeamVerdict { missed, crossed, covered };
 /// A triangle seen from one point.
 class TriangleFromPoint {
 public:
-    /// `dir_reach` is at least the largest coordinate of any direction that will be tested.
+    /// `dir_reach` is at least the largest coordinate of any direction that will be tested. `off`: how far off lines
+    /// may pass the point, times 4 (1 + k).
     HWY_INLINE TriangleFromPoint(const TriangleSetup &triangle, const ExactPlane &plane, const Point3 &org,
-                                 float dir_reach)
+                                 float dir_reach, float off)
         : triangle_(triangle), plane_(plane), org_(org), dir_reach_(dir_reach) {
         const float from[3] = {org.x, org.y, org.z};
         const Exact3 s = exact_difference(from, triangle.corners);
@@ -103,7 +107,7 @@ public:
         normal_ = plane.n.rounded();
         n_ = splat(normal_);
         const float e = triangle.edge_reach;
-        margin_ = splat(from_point_error * dir_reach * e * (max_abs(s.rounded()) + e) + least_margin);
+        margin_ = splat(dir_reach * e * (from_point_error * (max_abs(s.rounded()) + e) + off) + least_margin);
     }
 
     [[nodiscard]] HWY_INLINE FilterResult filter(const Points &dir) const {
@@ -168,7 +172,7 @@ private:
 class TriangleFromAnywhere {
 public:
     /// `reach` is at least the largest distance, by coordinate, between an origin and a corner of any triangle.
-    HWY_INLINE TriangleFromAnywhere(const TriangleSetup &triangle, float dir_reach, float reach) : triangle_(triangle) {
+    HWY_INLINE TriangleFromAnywhere(const TriangleSetup &triangle, float dir_reach, float reach) {
         a_ = splat({triangle.corners[0], triangle.corners[1], triangle.corners[2]});
         e1_ = splat(triangle.e1);
         e2_ = splat(triangle.e2);
@@ -185,32 +189,31 @@ public:
         return judge(dot(n_, dir), dot(e2_, q), hn::Neg(dot(e1_, q)), margin);
     }
 
-    /// Distances as intersect() has them where the filter is certain; `lanes` are those that matter.
-    [[nodiscard]] HWY_INLINE Floats distances(const Points &org, const Points &dir, uint32_t lanes) const {
-        const ExactPlane plane(triangle_);
-        const float *a = triangle_.corners;
-        const auto offsets = [&](Doubles x, Doubles y, Doubles z) {
-            return plane.dot((hn::Set(doubles, double(a[0])) - x), (hn::Set(doubles, double(a[1])) - y),
-                             (hn::Set(doubles, double(a[2])) - z));
-        };
-        const DoubleLanes x = promote(org.x), y = promote(org.y), z = promote(org.z);
-        const DoubleLanes offset = {offsets(x.lower, y.lower, z.lower), offsets(x.upper, y.upper, z.upper)};
-        const Point3 n = plane.n.rounded();
-        const Floats det = dot(splat(n), dir);
-        const Floats t = demote(offset) / det;
-        const FloatMask grazing = hn::Lt(hn::Abs(det), splat(least_slope * sum_abs(n)) * max_abs(dir));
-        if ((bits_of(grazing) & lanes) == 0) return t;
-        const DoubleLanes dx = promote(dir.x), dy = promote(dir.y), dz = promote(dir.z);
-        return hn::IfThenElse(grazing,
-                              demote({offset.lower / plane.dot(dx.lower, dy.lower, dz.lower),
-                                      offset.upper / plane.dot(dx.upper, dy.upper, dz.upper)}),
-                              t);
-    }
-
 private:
-    const TriangleSetup &triangle_;
     Points a_, e1_, e2_, n_;
     Floats margin_, margin_per_q_;
 };
+
+/// Distances as exact_distance() has them where rays are certainly inside; `lanes` are those that matter.
+HWY_INLINE Floats distances_from_anywhere(const TriangleSetup &triangle, const ExactPlane &plane, const Points &org,
+                                          const Points &dir, uint32_t lanes) {
+    const float *a = triangle.corners;
+    const auto offsets = [&](Doubles x, Doubles y, Doubles z) {
+        return plane.dot((hn::Set(doubles, double(a[0])) - x), (hn::Set(doubles, double(a[1])) - y),
+                         (hn::Set(doubles, double(a[2])) - z));
+    };
+    const DoubleLanes x = promote(org.x), y = promote(org.y), z = promote(org.z);
+    const DoubleLanes offset = {offsets(x.lower, y.lower, z.lower), offsets(x.upper, y.upper, z.upper)};
+    const Point3 n = plane.n.rounded();
+    const Floats det = dot(splat(n), dir);
+    const Floats t = demote(offset) / det;
+    const FloatMask grazing = hn::Lt(hn::Abs(det), splat(least_slope * sum_abs(n)) * max_abs(dir));
+    if ((bits_of(grazing) & lanes) == 0) return t;
+    const DoubleLanes dx = promote(dir.x), dy = promote(dir.y), dz = promote(dir.z);
+    return hn::IfThenElse(grazing,
+                          demote({offset.lower / plane.dot(dx.lower, dy.lower, dz.lower),
+                                  offset.upper / plane.dot(dx.upper, dy.upper, dz.upper)}),
+                          t);
+}
 
 } // namespace glint::HWY_NAMESPACE
