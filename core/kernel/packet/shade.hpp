@@ -52,10 +52,9 @@ struct alignas(64) SurfacePoints {
     float x[group_size], y[group_size], z[group_size];
     float normal_x[group_size], normal_y[group_size], normal_z[group_size]; ///< faces the viewer
     float scale[group_size];
-    float share[group_size]; ///< of the pixel, for local colour
+    float weight[group_size]; ///< of local colour in the pixel
     uint32_t surface[group_size];
-    uint16_t one_surface[block_count]; ///< bit by first ray of a vector: all its lanes have the same surface
-    RaySelection lit;                  ///< points that have local colour
+    RaySelection lit; ///< points that have local colour
     TileColors local;
 
     [[nodiscard]] HWY_INLINE Points position(uint32_t ray) const {
@@ -63,9 +62,6 @@ struct alignas(64) SurfacePoints {
     }
     [[nodiscard]] HWY_INLINE Points normal(uint32_t ray) const {
         return {hn::Load(floats, normal_x + ray), hn::Load(floats, normal_y + ray), hn::Load(floats, normal_z + ray)};
-    }
-    [[nodiscard]] HWY_INLINE bool has_one_surface(uint32_t ray) const {
-        return (one_surface[ray / block_size] >> (ray % block_size) & 1) != 0;
     }
 };
 
@@ -80,6 +76,9 @@ HWY_INLINE Points difference(const Points &a, const Points &b) {
 }
 HWY_INLINE Points normalized(const Points &p) {
     return scaled(p, splat(1.0f) / hn::Sqrt(dot(p, p)));
+}
+HWY_INLINE Points either(FloatMask first, const Points &a, const Points &b) {
+    return {hn::IfThenElse(first, a.x, b.x), hn::IfThenElse(first, a.y, b.y), hn::IfThenElse(first, a.z, b.z)};
 }
 /// A point moved off its surface along the normal.
 HWY_INLINE Points offset_point(const Points &position, const Points &normal, Floats scale) {
@@ -110,7 +109,6 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
     next.selection.clear();
     branch.selection.clear();
     next.depth = branch.depth = level.depth + 1;
-    for (uint16_t &bits : points.one_surface) bits = 0;
     const Points background = points_of(scene.background);
     const Points shared_origin = splat(level.rays.shared_origin);
     uint32_t going_on = 0;
@@ -123,27 +121,13 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
         uint32_t hit = lanes & ~missed;
         if (hit == 0) return;
 
-        const TriangleLanes triangles(scene, level.rays.triangle_id + ray, hit);
-        hn::Store(triangles.surface(), uints, points.surface + ray);
-        if (triangles.one_surface()) {
-            uint16_t &bits = points.one_surface[ray / block_size];
-            bits = static_cast<uint16_t>(bits | 1u << (ray % block_size));
-        }
-        const uint32_t *surface = points.surface + ray;
-        const bool one = triangles.one_surface();
-
-        uint32_t glowing = 0;
-        if (one) {
-            glowing = scene.surfaces[triangles.first_surface()].is_light ? hit : 0;
-        } else {
-            for (uint32_t lane = 0; lane < lane_count; ++lane) {
-                glowing |= scene.surfaces[surface[lane]].is_light ? 1u << lane : 0;
-            }
-            glowing &= hit;
-        }
+        const DistinctLanes triangles(level.rays.triangle_id + ray, hit);
+        const TriangleSurface *triangle_surfaces = scene.geometry.surfaces;
+        const DistinctLanes numbers(triangles, [=](uint32_t id) { return triangle_surfaces[id].surface; });
+        const SurfaceLanes surfaces(scene, numbers);
+        const uint32_t glowing = surfaces.lights() & hit;
         if (glowing != 0) {
-            work.colors.add(ray, glowing, weight,
-                            surface_color(scene, surface, one, [](const SurfaceShading &s) { return s.emission; }));
+            work.colors.add(ray, glowing, weight, surfaces.color(&SurfaceShading::emission));
             hit &= ~glowing;
             if (hit == 0) return;
         }
@@ -152,8 +136,8 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
         const Points way = scaled(dir, hn::Load(floats, level.rays.t + ray));
         const Points position = sum(level.depth == 0 ? shared_origin : level.rays.org(ray), way);
         const Floats scale = hn::Max(hn::Max(max_abs(position), max_abs(way)), splat(scene.offset_floor));
-        const FloatMask behind = hn::Gt(dot(triangles.normal(), dir), hn::Zero(floats));
-        const Points &n = triangles.normal();
+        const Points n = normals_of(scene, triangles);
+        const FloatMask behind = hn::Gt(dot(n, dir), hn::Zero(floats));
         const Points normal = {hn::IfThenElse(behind, hn::Neg(n.x), n.x), hn::IfThenElse(behind, hn::Neg(n.y), n.y),
                                hn::IfThenElse(behind, hn::Neg(n.z), n.z)};
         hn::Store(position.x, floats, points.x + ray);
@@ -163,13 +147,13 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
         hn::Store(normal.y, floats, points.normal_y + ray);
         hn::Store(normal.z, floats, points.normal_z + ray);
         hn::Store(scale, floats, points.scale + ray);
+        const Uints surface = numbers.numbers();
+        hn::Store(surface, uints, points.surface + ray);
 
         Floats share = splat(1.0f);
         if (deeper) {
-            Floats reflection =
-                surface_number(scene, surface, one, [](const SurfaceShading &s) { return s.reflection; });
-            Floats transmission =
-                surface_number(scene, surface, one, [](const SurfaceShading &s) { return s.transmission; });
+            Floats reflection = surfaces.number(&SurfaceShading::reflection);
+            Floats transmission = surfaces.number(&SurfaceShading::transmission);
             const Floats zero = hn::Zero(floats), least = splat(least_branch_weight);
             const FloatMask both = hn::And(hn::Gt(reflection, zero), hn::Gt(transmission, zero));
             reflection = hn::IfThenElse(hn::And(both, hn::Lt(weight * reflection, least)), zero, reflection);
@@ -177,42 +161,42 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
             share = (splat(1.0f) - reflection) - transmission;
             const uint32_t mirrored = bits_of(hn::Gt(reflection, zero)) & hit;
             const uint32_t transmitted = bits_of(hn::Gt(transmission, zero)) & hit;
-            const uint32_t branching = mirrored & transmitted;
             const auto go_on = [&](RayLevel &to, uint32_t bits, const Points &org, const Points &direction,
                                    Floats next_weight) {
                 to.rays.set_org(ray, org);
                 to.rays.set_dir(ray, direction);
                 hn::Store(next_weight, floats, to.weight + ray);
                 hn::Store(ids, uints, to.rays.left + ray);
-                hn::Store(triangles.surface(), uints, to.left_surface + ray);
+                hn::Store(surface, uints, to.left_surface + ray);
                 hn::Store(splat(__FLT_MAX__), floats, to.rays.t + ray);
                 hn::Store(hn::Set(uints, no_triangle), uints, to.rays.triangle_id + ray);
                 to.selection.add(ray, bits);
                 going_on += static_cast<uint32_t>(__builtin_popcount(bits));
             };
-            if ((mirrored | transmitted) != 0) {
-                const Points through = offset_point(position, normal, hn::Neg(scale));
-                if (branching != 0) go_on(branch, branching, through, dir, weight * transmission);
+            const auto through = [&] { return offset_point(position, normal, hn::Neg(scale)); };
+            if (mirrored != 0) {
                 const Floats twice_n_d = splat(2.0f) * dot(normal, dir);
-                const Points mirror_dir = normalized(difference(dir, scaled(normal, twice_n_d)));
-                const Points mirror_org = offset_point(position, normal, scale);
-                const FloatMask goes_through = mask_of(transmitted & ~mirrored);
-                go_on(next, mirrored | transmitted,
-                      {hn::IfThenElse(goes_through, through.x, mirror_org.x),
-                       hn::IfThenElse(goes_through, through.y, mirror_org.y),
-                       hn::IfThenElse(goes_through, through.z, mirror_org.z)},
-                      {hn::IfThenElse(goes_through, dir.x, mirror_dir.x),
-                       hn::IfThenElse(goes_through, dir.y, mirror_dir.y),
-                       hn::IfThenElse(goes_through, dir.z, mirror_dir.z)},
-                      weight * hn::IfThenElse(goes_through, transmission, reflection));
+                Points next_dir = normalized(difference(dir, scaled(normal, twice_n_d)));
+                Points next_org = offset_point(position, normal, scale);
+                Floats share_of_next = reflection;
+                if (transmitted != 0) {
+                    const uint32_t branching = mirrored & transmitted;
+                    if (branching != 0) go_on(branch, branching, through(), dir, weight * transmission);
+                    const FloatMask goes_through = mask_of(transmitted & ~mirrored);
+                    next_dir = either(goes_through, dir, next_dir);
+                    next_org = either(goes_through, through(), next_org);
+                    share_of_next = hn::IfThenElse(goes_through, transmission, reflection);
+                }
+                go_on(next, mirrored | transmitted, next_org, next_dir, weight * share_of_next);
+            } else if (transmitted != 0) {
+                go_on(next, transmitted, through(), dir, weight * transmission);
             }
         }
-        hn::Store(share, floats, points.share + ray);
+        hn::Store(weight * share, floats, points.weight + ray);
         const uint32_t lit = bits_of(hn::Gt(share, hn::Zero(floats))) & hit;
         if (lit == 0) return;
         points.lit.add(ray, lit);
-        points.local.set(ray,
-                         surface_color(scene, surface, one, [](const SurfaceShading &s) { return s.ambient_color; }));
+        points.local.set(ray, surfaces.color(&SurfaceShading::ambient_color));
     });
     return going_on;
 }
@@ -245,21 +229,19 @@ HWY_INLINE uint32_t add_light(const KernelScene &scene, const LightShading &ligh
         const Points normal = points.normal(ray), dir = work.level->rays.dir(ray);
         const Points to_light = normalized(difference(light_position, points.position(ray)));
         const Points to_viewer = {hn::Neg(dir.x), hn::Neg(dir.y), hn::Neg(dir.z)};
-        const uint32_t *surface = points.surface + ray;
-        const bool one = points.has_one_surface(ray);
+        const DistinctLanes numbers(points.surface + ray, lanes);
+        const SurfaceLanes surfaces(scene, numbers);
         const Floats n_l = dot(normal, to_light);
         Floats highlight = hn::Zero(floats);
-        const Floats specular = surface_number(scene, surface, one, [](const SurfaceShading &s) { return s.specular; });
+        const Floats specular = surfaces.number(&SurfaceShading::specular);
         const FloatMask shines = hn::Gt(specular, hn::Zero(floats));
         if ((bits_of(shines) & lanes) != 0) {
-            const Floats exponent =
-                surface_number(scene, surface, one, [](const SurfaceShading &s) { return s.exponent; });
+            const Floats exponent = surfaces.number(&SurfaceShading::exponent);
             const Floats r_v = (splat(2.0f) * n_l) * dot(normal, to_viewer) - dot(to_light, to_viewer);
             highlight = hn::IfThenElseZero(
                 shines, specular * pow_unit(hn::IfThenElseZero(hn::Gt(r_v, hn::Zero(floats)), r_v), exponent));
         }
-        const Points diffuse =
-            surface_color(scene, surface, one, [](const SurfaceShading &s) { return s.diffuse_color; });
+        const Points diffuse = surfaces.color(&SurfaceShading::diffuse_color);
         const FloatMask lit = mask_of(lanes);
         const Points old = points.local.at(ray);
         const auto with_light = [&](Floats sum_so_far, Floats emitted, Floats reflected) {
@@ -274,8 +256,7 @@ HWY_INLINE uint32_t add_light(const KernelScene &scene, const LightShading &ligh
 /// Adds the local colours to the pixels.
 HWY_INLINE void add_local_colors(TileWork &work) {
     for_each_vector(work.points.lit, [&](uint32_t ray, uint32_t lanes) {
-        const Floats weight = hn::Load(floats, work.level->weight + ray) * hn::Load(floats, work.points.share + ray);
-        work.colors.add(ray, lanes, weight, work.points.local.at(ray));
+        work.colors.add(ray, lanes, hn::Load(floats, work.points.weight + ray), work.points.local.at(ray));
     });
 }
 

@@ -6,65 +6,93 @@
 
 namespace glint::HWY_NAMESPACE {
 
-/// Reads the triangle of each lane. Neighbouring rays mostly hit the same triangle, or at least the same surface: one
-/// look-up then does for all.
-class TriangleLanes {
+/// Numbers of things, one a lane, as a list of the different ones: neighbouring rays mostly hit the same triangle, or
+/// at least the same surface, and one look-up then does for all.
+class DistinctLanes {
 public:
-    /// Reads triangle_id[0 .. lane_count) where lane_bits (not 0) says; other lanes repeat one of those.
-    HWY_INLINE TriangleLanes(const KernelScene &scene, const uint32_t *triangle_id, uint32_t lane_bits) {
-        const uint32_t first_id = triangle_id[lowest_bit(lane_bits)];
-        const FloatMask same = hn::RebindMask(floats, hn::Eq(hn::Load(uints, triangle_id), hn::Set(uints, first_id)));
-        const TriangleSurface &first = scene.geometry.surfaces[first_id];
-        first_surface_ = first.surface;
-        if ((bits_of(same) & lane_bits) == lane_bits) {
-            normal_ = {splat(first.normal.x), splat(first.normal.y), splat(first.normal.z)};
-            one_surface_ = true;
-            surface_ = hn::Set(uints, first_surface_);
-            return;
+    /// number[0 .. lane_count) where lane_bits (not 0) says; other lanes count as the first of those.
+    HWY_INLINE DistinctLanes(const uint32_t *number, uint32_t lane_bits) {
+        const Uints all = hn::Load(uints, number);
+        for (uint32_t rest = lane_bits; rest != 0;) {
+            const uint32_t next = number[lowest_bit(rest)];
+            const FloatMask same = hn::RebindMask(floats, hn::Eq(all, hn::Set(uints, next)));
+            append(next, same);
+            rest &= ~bits_of(same);
         }
-        alignas(64) float x[lane_count], y[lane_count], z[lane_count];
-        alignas(64) uint32_t surface[lane_count];
-        uint32_t differing = 0;
-        for (uint32_t lane = 0; lane < lane_count; ++lane) {
-            const TriangleSurface &triangle =
-                scene.geometry.surfaces[(lane_bits >> lane & 1) != 0 ? triangle_id[lane] : first_id];
-            x[lane] = triangle.normal.x;
-            y[lane] = triangle.normal.y;
-            z[lane] = triangle.normal.z;
-            surface[lane] = triangle.surface;
-            differing |= triangle.surface ^ first_surface_;
-        }
-        normal_ = {hn::Load(floats, x), hn::Load(floats, y), hn::Load(floats, z)};
-        surface_ = hn::Load(uints, surface);
-        one_surface_ = differing == 0;
     }
 
-    [[nodiscard]] HWY_INLINE const Points &normal() const { return normal_; }
-    [[nodiscard]] HWY_INLINE Uints surface() const { return surface_; }
-    [[nodiscard]] HWY_INLINE bool one_surface() const { return one_surface_; }
-    [[nodiscard]] HWY_INLINE uint32_t first_surface() const { return first_surface_; }
+    /// What numbers stand for has numbers itself.
+    template <typename Other> HWY_INLINE DistinctLanes(const DistinctLanes &from, Other &&other) {
+        append(other(from.number_[0]), from.lanes_[0]);
+        for (uint32_t i = 1; i < from.count_; ++i) {
+            const uint32_t number = other(from.number_[i]);
+            uint32_t j = 0;
+            while (j < count_ && number_[j] != number) ++j;
+            if (j == count_) {
+                append(number, from.lanes_[i]);
+            } else {
+                lanes_[j] = hn::Or(lanes_[j], from.lanes_[i]);
+            }
+        }
+    }
+
+    /// value(number) in every lane.
+    template <typename Value> HWY_INLINE Floats floats_of(Value &&value) const {
+        Floats result = splat(value(number_[0]));
+        for (uint32_t i = 1; i < count_; ++i) result = hn::IfThenElse(lanes_[i], splat(value(number_[i])), result);
+        return result;
+    }
+    [[nodiscard]] HWY_INLINE Uints numbers() const {
+        return hn::BitCast(uints, floats_of([](uint32_t number) { return __builtin_bit_cast(float, number); }));
+    }
+    /// The lanes, as bits, for whose number the predicate holds.
+    template <typename Predicate> HWY_INLINE uint32_t lanes_where(Predicate &&predicate) const {
+        if (count_ == 1) return predicate(number_[0]) ? all_lanes : 0;
+        uint32_t bits = 0;
+        for (uint32_t i = 0; i < count_; ++i) bits |= predicate(number_[i]) ? bits_of(lanes_[i]) : 0;
+        return bits;
+    }
 
 private:
-    Points normal_;
-    Uints surface_;
-    bool one_surface_;
-    uint32_t first_surface_;
+    HWY_INLINE void append(uint32_t number, FloatMask lanes) {
+        number_[count_] = number;
+        lanes_[count_++] = lanes;
+    }
+
+    uint32_t count_ = 0;
+    uint32_t number_[lane_count];
+    FloatMask lanes_[lane_count];
 };
 
-/// One number of every lane's surface. `surface` has lane_count elements; `one_surface` says that they are all equal.
-template <typename Number>
-HWY_INLINE Floats surface_number(const KernelScene &scene, const uint32_t *surface, bool one_surface, Number &&number) {
-    if (one_surface) return splat(number(scene.surfaces[surface[0]]));
-    alignas(64) float values[lane_count];
-    for (uint32_t lane = 0; lane < lane_count; ++lane) values[lane] = number(scene.surfaces[surface[lane]]);
-    return hn::Load(floats, values);
+/// The triangles' normals.
+HWY_INLINE Points normals_of(const KernelScene &scene, const DistinctLanes &triangles) {
+    const TriangleSurface *all = scene.geometry.surfaces;
+    return {triangles.floats_of([=](uint32_t id) { return all[id].normal.x; }),
+            triangles.floats_of([=](uint32_t id) { return all[id].normal.y; }),
+            triangles.floats_of([=](uint32_t id) { return all[id].normal.z; })};
 }
 
-template <typename Color3>
-HWY_INLINE Points surface_color(const KernelScene &scene, const uint32_t *surface, bool one_surface, Color3 &&color) {
-    return {surface_number(scene, surface, one_surface, [&](const SurfaceShading &s) { return color(s).x; }),
-            surface_number(scene, surface, one_surface, [&](const SurfaceShading &s) { return color(s).y; }),
-            surface_number(scene, surface, one_surface, [&](const SurfaceShading &s) { return color(s).z; })};
-}
+/// Surfaces as shading needs them.
+class SurfaceLanes {
+public:
+    HWY_INLINE SurfaceLanes(const KernelScene &scene, const DistinctLanes &numbers)
+        : all_(scene.surfaces), numbers_(numbers) {}
+
+    HWY_INLINE Floats number(float SurfaceShading::*member) const {
+        return numbers_.floats_of([=, this](uint32_t i) { return all_[i].*member; });
+    }
+    HWY_INLINE Points color(Color SurfaceShading::*member) const {
+        return {numbers_.floats_of([=, this](uint32_t i) { return (all_[i].*member).x; }),
+                numbers_.floats_of([=, this](uint32_t i) { return (all_[i].*member).y; }),
+                numbers_.floats_of([=, this](uint32_t i) { return (all_[i].*member).z; })};
+    }
+    [[nodiscard]] HWY_INLINE uint32_t lights() const {
+        return numbers_.lanes_where([this](uint32_t i) { return all_[i].is_light; });
+    }
+
+private:
+    const SurfaceShading *all_;
+    const DistinctLanes &numbers_;
+};
 
 } // namespace glint::HWY_NAMESPACE
