@@ -88,14 +88,16 @@ Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptio
         worker.scratch.memory = worker.memory.at_least(scratch_bytes);
     }
 
-    std::atomic<uint32_t> next_tile{0};
+    TileQueue queue(tiling.count(), impl_->pool.threads());
     impl_->pool.run([&](unsigned worker) {
         KernelScratch &scratch = impl_->workers[worker].scratch;
-        while (!watch.cancelled()) {
-            const uint32_t tile = next_tile.fetch_add(1, std::memory_order_relaxed);
-            if (tile >= tiling.count()) return;
-            impl_->kernel.render_tile(kernel_scene, frame, tiling.tile(tile), scratch);
-            watch.tiles_done_.fetch_add(1, std::memory_order_relaxed);
+        for (TileQueue::Run run = queue.next(); run.begin < run.end; run = queue.next()) {
+            uint32_t tile = run.begin;
+            for (; tile < run.end && !watch.cancelled(); ++tile) {
+                impl_->kernel.render_tile(kernel_scene, frame, tiling.tile(tile), scratch);
+            }
+            watch.tiles_done_.fetch_add(tile - run.begin, std::memory_order_relaxed);
+            if (tile < run.end) return;
         }
     });
     if (watch.tiles_done_.load() < tiling.count()) return Error(ErrorCode::cancelled, "the render was cancelled");

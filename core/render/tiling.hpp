@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 
 #include "kernel/kernel.hpp"
@@ -30,6 +31,33 @@ public:
 private:
     uint32_t width_px_, height_px_;
     uint32_t columns_, rows_;
+};
+
+/// Gives tiles to workers: short runs of neighbours at first, so that workers seldom meet at the counter, single tiles
+/// towards the end, so that all finish together (guided self-scheduling, Polychronopoulos & Kuck 1987).
+class TileQueue {
+public:
+    struct Run {
+        uint32_t begin, end;
+    };
+
+    static constexpr uint32_t longest_run = 8;
+
+    TileQueue(uint32_t count, unsigned workers) : count_(count), share_(16 * workers) {}
+
+    /// An empty run when all tiles are given away.
+    [[nodiscard]] Run next() {
+        uint32_t begin = next_.load(std::memory_order_relaxed);
+        while (begin < count_) {
+            const uint32_t end = begin + std::clamp((count_ - begin) / share_, 1u, longest_run);
+            if (next_.compare_exchange_weak(begin, end, std::memory_order_relaxed)) return {begin, end};
+        }
+        return {count_, count_};
+    }
+
+private:
+    const uint32_t count_, share_;
+    alignas(128) std::atomic<uint32_t> next_{0};
 };
 
 } // namespace glint
