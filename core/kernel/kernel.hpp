@@ -74,9 +74,8 @@ struct PendingRay {
 /// How beams of rays fared lately, by their size, so that scenes that are too fine for beams do not pay for trying.
 /// Decides how rays are traced, never what they hit.
 struct BeamHistory {
-    /// Of groups; of quarters of groups or, in the wide hierarchy, of finding a beam around a group at all; of finding
-    /// a beam's apex.
-    uint8_t failures[3], skipped[3];
+    /// Of groups; of quarters of groups or, in the wide hierarchy, of finding a beam around a group at all.
+    uint8_t failures[2], skipped[2];
 };
 struct BeamHistories {
     BeamHistory primary, shadow, secondary;

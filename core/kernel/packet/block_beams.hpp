@@ -1,7 +1,7 @@
 // A beam around each block of a group: tells which blocks of rays a triangle can concern.
 #pragma once
 
-#include "kernel/packet/beam.hpp"
+#include "kernel/packet/make_beam.hpp"
 
 namespace glint::HWY_NAMESPACE {
 

@@ -38,6 +38,20 @@ struct RaySelection {
     }
 };
 
+/// Which ray of a selection comes first.
+HWY_INLINE uint32_t first_ray_of(const RaySelection &selection) {
+    uint32_t block = 0;
+    while (selection.blocks[block] == 0) ++block;
+    return block * block_size + lowest_bit(selection.blocks[block]);
+}
+
+/// Which comes last.
+HWY_INLINE uint32_t last_ray_of(const RaySelection &selection) {
+    uint32_t block = block_count - 1;
+    while (selection.blocks[block] == 0) --block;
+    return block * block_size + (31 - static_cast<uint32_t>(__builtin_clz(selection.blocks[block])));
+}
+
 /// Calls visit(first_ray, lane_bits) for every vector of rays of which any is selected.
 template <typename Visit> HWY_INLINE void for_each_vector(const RaySelection &selection, Visit &&visit) {
     for (uint32_t block = 0; block < block_count; ++block) {

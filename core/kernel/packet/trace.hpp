@@ -3,7 +3,6 @@
 #pragma once
 
 #include "kernel/kernel.hpp"
-#include "kernel/packet/apex.hpp"
 #include "kernel/packet/block_trace.hpp"
 #include "kernel/packet/stream_trace.hpp"
 
@@ -73,7 +72,7 @@ enum class RayKind {
 /// The beam around the selected rays; false where they do not go one way.
 template <bool shares_origin, bool any_hit>
 HWY_NOINLINE bool find_beam(const TraceQuestion &question, const RayGroup &rays, const RaySelection &selection,
-                            RayKind kind, BeamHistory &history, Beam &beam, RayEnds &ends) {
+                            RayKind kind, Beam &beam, RayEnds &ends) {
     const Box &bounds = question.geometry.bounds;
     if (kind == RayKind::full_tile) return make_tile_beam(rays, bounds, beam);
     if (kind == RayKind::shadow) {
@@ -81,7 +80,6 @@ HWY_NOINLINE bool find_beam(const TraceQuestion &question, const RayGroup &rays,
         return make_end_beam(rays, ends, bounds, beam);
     }
     if (!make_beam<shares_origin>(rays, selection, bounds, beam)) return false;
-    if (!shares_origin && worth_trying(history, 2)) note(history, 2, find_apex(rays, selection, beam));
     if (any_hit || rays.t[first_ray_of(selection)] < __FLT_MAX__) {
         beam.z_end = group_end<shares_origin>(rays, selection, beam);
     }
@@ -96,7 +94,7 @@ template <bool shares_origin, bool any_hit> HWY_NOINLINE bool trace_beam(const T
     Beam beam;
     RayEnds ends;
     const bool done =
-        find_beam<shares_origin, any_hit>(question, rays, selection, kind, history, beam, ends) &&
+        find_beam<shares_origin, any_hit>(question, rays, selection, kind, beam, ends) &&
         width_of(beam) <= widest_beam &&
         GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, kind == RayKind::shadow ? &ends : nullptr)
             .walk_kd_tree(beam_budget[size]);
@@ -112,7 +110,7 @@ template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace_streams(cons
     RayEnds ends;
     bool has_beam = false;
     if (worth_trying(history, 1)) {
-        has_beam = find_beam<shares_origin, any_hit>(question, rays, selection, kind, history, beam, ends) &&
+        has_beam = find_beam<shares_origin, any_hit>(question, rays, selection, kind, beam, ends) &&
                    width_of(beam) <= widest_beam;
         note(history, 1, has_beam);
     }
