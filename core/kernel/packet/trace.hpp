@@ -86,20 +86,28 @@ HWY_NOINLINE bool find_beam(const TraceQuestion &question, const RayGroup &rays,
     return true;
 }
 
-/// Traces the selected rays as one beam through the kd-tree; false where that does not pay.
-template <bool shares_origin, bool any_hit> HWY_NOINLINE bool trace_beam(const TraceQuestion &question, RayGroup &rays,
-                                                                         RaySelection &selection, int size,
-                                                                         BeamHistory &history, RayKind kind) {
-    if (!worth_trying(history, size) || selection.count() < fewest_for_beam) return false;
+enum class BeamOutcome {
+    done,
+    no_beam, ///< the rays do not go one way
+    dropped, ///< it does not pay
+};
+
+/// Traces the selected rays as one beam through the kd-tree.
+template <bool shares_origin, bool any_hit>
+HWY_NOINLINE BeamOutcome trace_beam(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, int size,
+                                    BeamHistory &history, RayKind kind) {
+    if (!worth_trying(history, size) || selection.count() < fewest_for_beam) return BeamOutcome::dropped;
     Beam beam;
     RayEnds ends;
+    if (!find_beam<shares_origin, any_hit>(question, rays, selection, kind, beam, ends) ||
+        width_of(beam) > widest_beam) {
+        return BeamOutcome::no_beam;
+    }
     const bool done =
-        find_beam<shares_origin, any_hit>(question, rays, selection, kind, beam, ends) &&
-        width_of(beam) <= widest_beam &&
         GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, kind == RayKind::shadow ? &ends : nullptr)
             .walk_kd_tree(beam_budget[size]);
     note(history, size, done);
-    return done;
+    return done ? BeamOutcome::done : BeamOutcome::dropped;
 }
 
 /// Traces the selected rays as streams through the wide hierarchy.
@@ -124,6 +132,46 @@ template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace_streams(cons
     StreamTrace<shares_origin, any_hit>(question, rays, selection, has_beam ? &beam : nullptr).run();
 }
 
+/// The same a quarter of the group at a time, 2 x 2 blocks, or block by block.
+template <bool shares_origin, bool any_hit> HWY_NOINLINE void
+trace_quarters(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, BeamHistory &history) {
+    for (uint32_t quarter = 0; quarter < 4; ++quarter) {
+        const uint32_t corner = quarter / 2 * 8 + quarter % 2 * 2;
+        const uint32_t blocks[4] = {corner, corner + 1, corner + 4, corner + 5};
+        RaySelection part{};
+        for (const uint32_t block : blocks) part.blocks[block] = selection.blocks[block];
+        if (part.empty()) continue;
+        if (trace_beam<shares_origin, any_hit>(question, rays, part, 1, history, RayKind::any) != BeamOutcome::done) {
+            for (const uint32_t block : blocks) trace_apart<shares_origin, any_hit>(question, rays, part, block);
+        }
+        if constexpr (any_hit) {
+            for (const uint32_t block : blocks) selection.blocks[block] = part.blocks[block];
+        }
+    }
+}
+
+/// The selected rays by where they mostly go: those of one part are at most 45 degrees off one axis.
+struct RaysByFace {
+    RaySelection face[6]; ///< of a cube around the origin: -x, -y, -z, x, y, z
+
+    HWY_INLINE RaysByFace(const RayGroup &rays, const RaySelection &selection) : face{} {
+        for_each_vector(selection, [&](uint32_t ray, uint32_t lanes) {
+            const Points dir = rays.dir(ray);
+            const Floats x = hn::Abs(dir.x), y = hn::Abs(dir.y), z = hn::Abs(dir.z);
+            const uint32_t by_x = bits_of(hn::And(hn::Ge(x, y), hn::Ge(x, z))) & lanes;
+            const uint32_t by_y = bits_of(hn::Ge(y, z)) & lanes & ~by_x;
+            const auto put = [&](int axis, uint32_t bits, Floats along) {
+                const uint32_t upward = bits_of(hn::Gt(along, hn::Zero(floats))) & bits;
+                face[axis].add(ray, bits & ~upward);
+                face[axis + 3].add(ray, upward);
+            };
+            put(0, by_x, dir.x);
+            put(1, by_y, dir.y);
+            put(2, lanes & ~by_x & ~by_y, dir.z);
+        });
+    }
+};
+
 /// Traces the selected rays. Those that are hit are deselected where any hit will do.
 template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays,
                                                                     RaySelection &selection, BeamHistory &history,
@@ -133,19 +181,21 @@ template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQ
         trace_streams<shares_origin, any_hit>(question, rays, selection, history, kind);
         return;
     }
-    if (trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, kind)) return;
-    // Quarters of 2 x 2 blocks, then blocks.
-    for (uint32_t quarter = 0; quarter < 4; ++quarter) {
-        const uint32_t corner = quarter / 2 * 8 + quarter % 2 * 2;
-        const uint32_t blocks[4] = {corner, corner + 1, corner + 4, corner + 5};
-        RaySelection part{};
-        for (const uint32_t block : blocks) part.blocks[block] = selection.blocks[block];
+    const BeamOutcome outcome = trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, kind);
+    if (outcome == BeamOutcome::done) return;
+    if (outcome == BeamOutcome::dropped) {
+        trace_quarters<shares_origin, any_hit>(question, rays, selection, history);
+        return;
+    }
+    RaysByFace by(rays, selection);
+    selection.clear();
+    for (RaySelection &part : by.face) {
         if (part.empty()) continue;
-        if (!trace_beam<shares_origin, any_hit>(question, rays, part, 1, history, RayKind::any)) {
-            for (const uint32_t block : blocks) trace_apart<shares_origin, any_hit>(question, rays, part, block);
+        if (trace_beam<shares_origin, any_hit>(question, rays, part, 0, history, RayKind::any) != BeamOutcome::done) {
+            trace_quarters<shares_origin, any_hit>(question, rays, part, history);
         }
-        if constexpr (any_hit) {
-            for (const uint32_t block : blocks) selection.blocks[block] = part.blocks[block];
+        for (uint32_t block = 0; block < block_count; ++block) {
+            selection.blocks[block] = static_cast<uint16_t>(selection.blocks[block] | part.blocks[block]);
         }
     }
 }
