@@ -127,6 +127,22 @@ HWY_INLINE Floats sum_abs(const Points &p) {
     return (hn::Abs(p.x) + hn::Abs(p.y)) + hn::Abs(p.z);
 }
 
+HWY_INLINE Points scaled(const Points &p, Floats s) {
+    return {p.x * s, p.y * s, p.z * s};
+}
+HWY_INLINE Points sum(const Points &a, const Points &b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+HWY_INLINE Points difference(const Points &a, const Points &b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+HWY_INLINE Points normalized(const Points &p) {
+    return scaled(p, splat(1.0f) / hn::Sqrt(dot(p, p)));
+}
+HWY_INLINE Points either(FloatMask first, const Points &a, const Points &b) {
+    return {hn::IfThenElse(first, a.x, b.x), hn::IfThenElse(first, a.y, b.y), hn::IfThenElse(first, a.z, b.z)};
+}
+
 /// Three coordinates of one point or vector.
 struct Point3 {
     float x, y, z;

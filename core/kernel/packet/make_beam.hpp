@@ -108,43 +108,52 @@ struct RayEnds {
     float way_lo[3], way_hi[3];
 };
 
-/// A ray's end is taken a little beyond its t_max, by 4 eps: see GroupTrace::all_end_before().
+/// Gathers the ways from a shared origin to the rays' ends. An end is taken a little beyond its t_max, by 4 eps: see
+/// GroupTrace::all_end_before().
+class WayBounds {
+public:
+    HWY_INLINE void extend(FloatMask lanes, const Points &dir, Floats t_max) {
+        const Points way = scaled(dir, t_max * splat(1.0f + 0x1p-22f));
+        const auto extend = [lanes](Floats &low, Floats &high, Floats w) {
+            low = hn::IfThenElse(lanes, hn::Min(low, w), low);
+            high = hn::IfThenElse(lanes, hn::Max(high, w), high);
+        };
+        extend(lo_.x, hi_.x, way.x);
+        extend(lo_.y, hi_.y, way.y);
+        extend(lo_.z, hi_.z, way.z);
+    }
+    [[nodiscard]] HWY_INLINE RayEnds ends(const Point3 &org, float least_t_max) const {
+        RayEnds ends;
+        const Floats lows[3] = {lo_.x, lo_.y, lo_.z}, highs[3] = {hi_.x, hi_.y, hi_.z};
+        for (int axis = 0; axis < 3; ++axis) {
+            ends.way_lo[axis] = least_lane(lows[axis]);
+            ends.way_hi[axis] = greatest_lane(highs[axis]);
+        }
+        ends.lo = {org.x + ends.way_lo[0], org.y + ends.way_lo[1], org.z + ends.way_lo[2]};
+        ends.hi = {org.x + ends.way_hi[0], org.y + ends.way_hi[1], org.z + ends.way_hi[2]};
+        ends.reach = larger(max_abs(ends.lo), max_abs(ends.hi));
+        ends.way = larger(max_abs(Point3{ends.way_lo[0], ends.way_lo[1], ends.way_lo[2]}),
+                          max_abs(Point3{ends.way_hi[0], ends.way_hi[1], ends.way_hi[2]}));
+        ends.least_t_max = least_t_max;
+        return ends;
+    }
+
+private:
+    Points lo_ = splat(Point3{__builtin_inff(), __builtin_inff(), __builtin_inff()});
+    Points hi_ = splat(Point3{-__builtin_inff(), -__builtin_inff(), -__builtin_inff()});
+};
+
+/// Of the selected rays, of which there is at least one.
 HWY_INLINE RayEnds find_ends(const RayGroup &rays, const RaySelection &selection) {
-    const uint32_t first = first_ray_of(selection);
-    const Floats first_t = splat(rays.t[first]);
-    const Points first_dir = splat({rays.dir_x[first], rays.dir_y[first], rays.dir_z[first]});
-    const Floats infinity = splat(__builtin_inff());
-    Points lo = {infinity, infinity, infinity}, hi = {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)};
-    Floats least_t = first_t;
+    WayBounds ways;
+    Floats least_t = splat(__builtin_inff());
     for_each_vector(selection, [&](uint32_t ray, uint32_t lane_bits) {
         const FloatMask lanes = mask_of(lane_bits);
-        const Points dir = rays.dir(ray);
-        const Floats t = hn::IfThenElse(lanes, hn::Load(floats, rays.t + ray), first_t);
-        const Floats beyond = t * splat(1.0f + 0x1p-22f);
-        least_t = hn::Min(least_t, t);
-        const auto extend = [&](Floats &low, Floats &high, Floats d, Floats first_d) {
-            const Floats way = hn::IfThenElse(lanes, d, first_d) * beyond;
-            low = hn::Min(low, way);
-            high = hn::Max(high, way);
-        };
-        extend(lo.x, hi.x, dir.x, first_dir.x);
-        extend(lo.y, hi.y, dir.y, first_dir.y);
-        extend(lo.z, hi.z, dir.z, first_dir.z);
+        const Floats t = hn::Load(floats, rays.t + ray);
+        least_t = hn::IfThenElse(lanes, hn::Min(least_t, t), least_t);
+        ways.extend(lanes, rays.dir(ray), t);
     });
-    RayEnds ends;
-    const Floats lows[3] = {lo.x, lo.y, lo.z}, highs[3] = {hi.x, hi.y, hi.z};
-    for (int axis = 0; axis < 3; ++axis) {
-        ends.way_lo[axis] = least_lane(lows[axis]);
-        ends.way_hi[axis] = greatest_lane(highs[axis]);
-    }
-    const Point3 &org = rays.shared_origin;
-    ends.lo = {org.x + ends.way_lo[0], org.y + ends.way_lo[1], org.z + ends.way_lo[2]};
-    ends.hi = {org.x + ends.way_hi[0], org.y + ends.way_hi[1], org.z + ends.way_hi[2]};
-    ends.reach = larger(max_abs(ends.lo), max_abs(ends.hi));
-    ends.way = larger(max_abs(Point3{ends.way_lo[0], ends.way_lo[1], ends.way_lo[2]}),
-                      max_abs(Point3{ends.way_hi[0], ends.way_hi[1], ends.way_hi[2]}));
-    ends.least_t_max = least_lane(least_t);
-    return ends;
+    return ways.ends(rays.shared_origin, least_lane(least_t));
 }
 
 /// The beam from a point to the box around the rays' ends: quicker made than the closest one, and hardly wider where

@@ -23,7 +23,7 @@ HWY_INLINE void trace_level(const GeometryView &geometry, RayLevel &level, BeamH
     const TraceQuestion question{geometry};
     if (level.depth == 0) {
         trace<true, false>(question, level.rays, level.selection, beams.primary,
-                           level.selection.count() == group_size ? RayKind::full_tile : RayKind::any);
+                           {.is_full_tile = level.selection.count() == group_size});
         return;
     }
     RaySelection waiting = level.selection;

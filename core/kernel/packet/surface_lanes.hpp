@@ -13,12 +13,13 @@ public:
     /// number[0 .. lane_count) where lane_bits (not 0) says; other lanes count as the first of those.
     HWY_INLINE DistinctLanes(const uint32_t *number, uint32_t lane_bits) {
         const Uints all = hn::Load(uints, number);
-        for (uint32_t rest = lane_bits; rest != 0;) {
+        uint32_t rest = lane_bits;
+        do {
             const uint32_t next = number[lowest_bit(rest)];
             const FloatMask same = hn::RebindMask(floats, hn::Eq(all, hn::Set(uints, next)));
             append(next, same);
             rest &= ~bits_of(same);
-        }
+        } while (rest != 0);
     }
 
     /// What numbers stand for has numbers itself.

@@ -1,7 +1,7 @@
 // A whole tile: camera rays, levels of recursion, bytes.
 #pragma once
 
-#include "kernel/packet/shade.hpp"
+#include "kernel/packet/lighting.hpp"
 
 namespace glint::HWY_NAMESPACE {
 
@@ -135,10 +135,7 @@ HWY_INLINE void render_tile(const KernelScene &scene, const KernelFrame &frame, 
         trace_level(scene.geometry, *work.level, *work.beams);
         RayLevel &branch = waiting[waiting_count];
         scratch.rays.secondary += reach_surfaces(scene, frame.max_depth, work, branch);
-        for (uint32_t i = 0; i < scene.light_count; ++i) {
-            scratch.rays.shadow += add_light(scene, scene.lights[i], work);
-        }
-        add_local_colors(work);
+        scratch.rays.shadow += add_local_colors(scene, work);
         if (!branch.selection.empty()) ++waiting_count;
         if (!work.next->selection.empty()) {
             RayLevel *const done = work.level;

@@ -63,22 +63,18 @@ HWY_INLINE float width_of(const Beam &beam) {
 }
 
 /// What is known of a group's rays beforehand.
-enum class RayKind {
-    any,
-    full_tile, ///< primary rays through all pixels of a tile
-    shadow,    ///< ends on a surface that a tile sees
+struct RayHint {
+    bool is_full_tile = false;     ///< primary rays through all pixels of a tile
+    const RayEnds *ends = nullptr; ///< of shadow rays, which end on a surface that a tile sees
 };
 
 /// The beam around the selected rays; false where they do not go one way.
 template <bool shares_origin, bool any_hit>
 HWY_NOINLINE bool find_beam(const TraceQuestion &question, const RayGroup &rays, const RaySelection &selection,
-                            RayKind kind, Beam &beam, RayEnds &ends) {
+                            const RayHint &hint, Beam &beam) {
     const Box &bounds = question.geometry.bounds;
-    if (kind == RayKind::full_tile) return make_tile_beam(rays, bounds, beam);
-    if (kind == RayKind::shadow) {
-        ends = find_ends(rays, selection);
-        return make_end_beam(rays, ends, bounds, beam);
-    }
+    if (hint.is_full_tile) return make_tile_beam(rays, bounds, beam);
+    if (hint.ends) return make_end_beam(rays, *hint.ends, bounds, beam);
     if (!make_beam<shares_origin>(rays, selection, bounds, beam)) return false;
     if (any_hit || rays.t[first_ray_of(selection)] < __FLT_MAX__) {
         beam.z_end = group_end<shares_origin>(rays, selection, beam);
@@ -95,17 +91,14 @@ enum class BeamOutcome {
 /// Traces the selected rays as one beam through the kd-tree.
 template <bool shares_origin, bool any_hit>
 HWY_NOINLINE BeamOutcome trace_beam(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, int size,
-                                    BeamHistory &history, RayKind kind) {
+                                    BeamHistory &history, const RayHint &hint) {
     if (!worth_trying(history, size) || selection.count() < fewest_for_beam) return BeamOutcome::dropped;
     Beam beam;
-    RayEnds ends;
-    if (!find_beam<shares_origin, any_hit>(question, rays, selection, kind, beam, ends) ||
-        width_of(beam) > widest_beam) {
+    if (!find_beam<shares_origin, any_hit>(question, rays, selection, hint, beam) || width_of(beam) > widest_beam) {
         return BeamOutcome::no_beam;
     }
     const bool done =
-        GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, kind == RayKind::shadow ? &ends : nullptr)
-            .walk_kd_tree(beam_budget[size]);
+        GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, hint.ends).walk_kd_tree(beam_budget[size]);
     note(history, size, done);
     return done ? BeamOutcome::done : BeamOutcome::dropped;
 }
@@ -113,19 +106,17 @@ HWY_NOINLINE BeamOutcome trace_beam(const TraceQuestion &question, RayGroup &ray
 /// Traces the selected rays as streams through the wide hierarchy.
 template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace_streams(const TraceQuestion &question,
                                                                             RayGroup &rays, RaySelection &selection,
-                                                                            BeamHistory &history, RayKind kind) {
+                                                                            BeamHistory &history, const RayHint &hint) {
     Beam beam;
-    RayEnds ends;
     bool has_beam = false;
     if (worth_trying(history, 1)) {
-        has_beam = find_beam<shares_origin, any_hit>(question, rays, selection, kind, beam, ends) &&
-                   width_of(beam) <= widest_beam;
+        has_beam =
+            find_beam<shares_origin, any_hit>(question, rays, selection, hint, beam) && width_of(beam) <= widest_beam;
         note(history, 1, has_beam);
     }
     if (has_beam && worth_trying(history, 0)) {
-        const bool done = GroupTrace<shares_origin, any_hit>(question, rays, selection, beam,
-                                                             kind == RayKind::shadow ? &ends : nullptr)
-                              .walk_bvh(bvh_beam_budget);
+        const bool done =
+            GroupTrace<shares_origin, any_hit>(question, rays, selection, beam, hint.ends).walk_bvh(bvh_beam_budget);
         note(history, 0, done);
         if (done) return;
     }
@@ -141,7 +132,7 @@ trace_quarters(const TraceQuestion &question, RayGroup &rays, RaySelection &sele
         RaySelection part{};
         for (const uint32_t block : blocks) part.blocks[block] = selection.blocks[block];
         if (part.empty()) continue;
-        if (trace_beam<shares_origin, any_hit>(question, rays, part, 1, history, RayKind::any) != BeamOutcome::done) {
+        if (trace_beam<shares_origin, any_hit>(question, rays, part, 1, history, {}) != BeamOutcome::done) {
             for (const uint32_t block : blocks) trace_apart<shares_origin, any_hit>(question, rays, part, block);
         }
         if constexpr (any_hit) {
@@ -175,13 +166,13 @@ struct RaysByFace {
 /// Traces the selected rays. Those that are hit are deselected where any hit will do.
 template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays,
                                                                     RaySelection &selection, BeamHistory &history,
-                                                                    RayKind kind = RayKind::any) {
+                                                                    const RayHint &hint = {}) {
     if (selection.empty()) return;
     if (question.geometry.wide_nodes) {
-        trace_streams<shares_origin, any_hit>(question, rays, selection, history, kind);
+        trace_streams<shares_origin, any_hit>(question, rays, selection, history, hint);
         return;
     }
-    const BeamOutcome outcome = trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, kind);
+    const BeamOutcome outcome = trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, hint);
     if (outcome == BeamOutcome::done) return;
     if (outcome == BeamOutcome::dropped) {
         trace_quarters<shares_origin, any_hit>(question, rays, selection, history);
@@ -191,7 +182,7 @@ template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQ
     selection.clear();
     for (RaySelection &part : by.face) {
         if (part.empty()) continue;
-        if (trace_beam<shares_origin, any_hit>(question, rays, part, 0, history, RayKind::any) != BeamOutcome::done) {
+        if (trace_beam<shares_origin, any_hit>(question, rays, part, 0, history, {}) != BeamOutcome::done) {
             trace_quarters<shares_origin, any_hit>(question, rays, part, history);
         }
         for (uint32_t block = 0; block < block_count; ++block) {
