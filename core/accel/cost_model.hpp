@@ -7,8 +7,7 @@ namespace glint {
 
 /// Costs are in steps through inner nodes. The values were chosen by counting instructions, measuring frames and
 /// weighing memory; the figures are in docs/performance.md.
-class CostModel {
-public:
+struct CostModel {
     /// Of walking through an inner node: the unit.
     static constexpr float traversal = 1.0f;
     /// A split that cuts off empty space ends rays early, which the heuristic's "rays never stop" does not see: its
@@ -16,37 +15,25 @@ public:
     static constexpr float empty_space_factor = 0.9f;
     /// Triangles that a leaf tests as one group: a partly filled group costs as much as a full one.
     static constexpr int32_t log2_leaf_group = 3, leaf_group = 1 << log2_leaf_group;
-
-    /// While the whole tree stays in a cache near the core, triangle tests are what counts, and smaller leaves pay. In
-    /// a large tree a step is a cache miss and each further node or reference is memory: larger leaves do.
-    explicit CostModel(uint64_t triangle_count) {
-        if (triangle_count <= 10'000) {
-            per_triangle_ = 0.1f;
-            per_group_ = 6.0f;
-        }
-    }
+    static constexpr float per_triangle = 0.1f, per_group = 1.0f;
 
     // Counts are signed and nothing branches, so that compilers can do many at a time.
 
-    [[nodiscard]] float leaf(int32_t triangle_count) const {
+    [[nodiscard]] static float leaf(int32_t triangle_count) {
         const int32_t groups = (triangle_count + (leaf_group - 1)) >> log2_leaf_group;
-        return per_triangle_ * static_cast<float>(triangle_count) + per_group_ * static_cast<float>(groups);
+        return per_triangle * static_cast<float>(triangle_count) + per_group * static_cast<float>(groups);
     }
 
     /// Of splitting a cell into two, each reached with the given probability and holding the given number of triangles.
-    [[nodiscard]] float split(float lower_probability, int32_t lower_count, float upper_probability,
-                              int32_t upper_count) const {
+    [[nodiscard]] static float split(float lower_probability, int32_t lower_count, float upper_probability,
+                                     int32_t upper_count) {
         const float cost = traversal + (lower_probability * leaf(lower_count) + upper_probability * leaf(upper_count));
         const int32_t fewer = lower_count < upper_count ? lower_count : upper_count;
         return cost * (fewer == 0 ? empty_space_factor : 1.0f);
     }
 
     /// Whether dividing so many triangles can pay. The best that can be had is one triangle left for every ray.
-    [[nodiscard]] bool may_pay(int32_t triangle_count) const { return leaf(triangle_count) > traversal + leaf(1); }
-
-private:
-    float per_triangle_ = 0.1f;
-    float per_group_ = 1.0f;
+    [[nodiscard]] static bool may_pay(int32_t triangle_count) { return leaf(triangle_count) > traversal + leaf(1); }
 };
 
 } // namespace glint

@@ -49,12 +49,12 @@ FilledCell root_of(std::span<const TriangleCorners> triangles, unsigned threads)
 
 /// The subtrees of all cells, in the cells' order; leaves no references behind.
 std::vector<Subtree> grow_subtrees(std::vector<FilledCell> &cells, std::span<const TriangleCorners> triangles,
-                                   const CostModel &cost, unsigned threads) {
+                                   unsigned threads) {
     std::vector<size_t> large_first(cells.size());
     std::iota(large_first.begin(), large_first.end(), size_t{0});
     std::sort(large_first.begin(), large_first.end(),
               [&](size_t a, size_t b) { return cells[a].references.size() > cells[b].references.size(); });
-    std::vector<SubtreeBuilder> builders(threads, SubtreeBuilder(triangles, cost));
+    std::vector<SubtreeBuilder> builders(threads, SubtreeBuilder(triangles));
     std::vector<Subtree> subtrees(cells.size());
     parallel_for(cells.size(), threads, [&](size_t i, unsigned thread) {
         FilledCell &cell = cells[large_first[i]];
@@ -67,11 +67,10 @@ std::vector<Subtree> grow_subtrees(std::vector<FilledCell> &cells, std::span<con
 } // namespace
 
 KdTree build_kd_tree(std::span<const TriangleCorners> triangles, unsigned threads) {
-    const CostModel cost(triangles.size());
     FilledCell root = root_of(triangles, threads);
     const Box bounds = root.cell.box;
-    TopOfTree top = build_top(std::move(root), triangles, cost, threads);
-    const std::vector<Subtree> subtrees = grow_subtrees(top.cells, triangles, cost, threads);
+    TopOfTree top = build_top(std::move(root), triangles, threads);
+    const std::vector<Subtree> subtrees = grow_subtrees(top.cells, triangles, threads);
     KdTree tree = lay_out(top, subtrees, triangles, threads);
     tree.bounds = bounds;
     return tree;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "accel/cost_model.hpp"
+
 namespace glint {
 
 namespace {
@@ -17,7 +19,7 @@ int32_t bins_for(int32_t references) {
 void SplitSearch::begin(const Box &occupied, size_t reference_count) {
     occupied_ = occupied;
     references_ = static_cast<int32_t>(reference_count);
-    bin_count_ = cost_.may_pay(references_) ? bins_for(references_) : 0;
+    bin_count_ = CostModel::may_pay(references_) ? bins_for(references_) : 0;
     for (Bin *bins : {bins_[0], bins_[1], bins_[2]}) {
         constexpr float infinity = std::numeric_limits<float>::infinity();
         std::fill_n(bins, bin_count_, Bin{0, 0, infinity, -infinity});
@@ -70,14 +72,14 @@ Split SplitSearch::best(const Cell &cell) const {
         const Slices slices = surface.across(axis);
         if (!slices.flat()) offer_planes(best, axis, slices);
     }
-    const bool pays = best.cost < cost_.leaf(references_);
+    const bool pays = best.cost < CostModel::leaf(references_);
     const bool fits = static_cast<double>(best.lower) + best.upper <= cell.reference_budget;
     return pays && fits ? best : Split{};
 }
 
 void SplitSearch::offer_planes(Split &best, int axis, const Slices &slices) const {
     const auto offer = [&](float plane, bool planar_to_lower, int32_t lower, int32_t upper) {
-        const float cost = cost_.split(slices.lower_share(plane), lower, slices.upper_share(plane), upper);
+        const float cost = CostModel::split(slices.lower_share(plane), lower, slices.upper_share(plane), upper);
         if (cost < best.cost) best = {cost, plane, axis, planar_to_lower, lower, upper};
     };
 

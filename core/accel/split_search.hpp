@@ -3,7 +3,6 @@
 
 #include <span>
 
-#include "accel/cost_model.hpp"
 #include "accel/reference.hpp"
 #include "accel/split.hpp"
 
@@ -16,8 +15,6 @@ namespace glint {
 /// and can set triangles that lie in a face of the cell apart.
 class SplitSearch {
 public:
-    explicit SplitSearch(const CostModel &cost) : cost_(cost) {}
-
     /// Begins anew, for so many references that lie in `occupied`.
     void begin(const Box &occupied, size_t reference_count);
     /// Counts some of them.
@@ -38,7 +35,6 @@ private:
     };
     void offer_planes(Split &best, int axis, const Slices &slices) const;
 
-    CostModel cost_;
     int32_t references_ = 0;
     int32_t bin_count_ = 0;  ///< none where only cutting off empty space can pay
     Box occupied_;           ///< holds all references

@@ -19,9 +19,7 @@ struct Subtree {
 /// One for each thread: keeps its memory from one subtree to the next.
 class SubtreeBuilder {
 public:
-    SubtreeBuilder(std::span<const TriangleCorners> triangles, const CostModel &cost)
-
-        : search_(cost), partition_(triangles) {}
+    explicit SubtreeBuilder(std::span<const TriangleCorners> triangles) : partition_(triangles) {}
 
     [[nodiscard]] Subtree build(const Cell &cell, std::span<const Reference> references);
 

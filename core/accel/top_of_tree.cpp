@@ -70,11 +70,8 @@ private:
 
 class TopBuilder {
 public:
-    TopBuilder(std::span<const TriangleCorners> triangles, const CostModel &cost, unsigned threads)
-        : cost_(cost),
-          threads_(threads),
-          limit_(one_thread_limit(triangles.size())),
-          workbenches_(threads, Workbench(triangles)) {}
+    TopBuilder(std::span<const TriangleCorners> triangles, unsigned threads)
+        : threads_(threads), limit_(one_thread_limit(triangles.size())), workbenches_(threads, Workbench(triangles)) {}
 
     TopOfTree build(FilledCell root) {
         top_.branches.emplace_back();
@@ -136,7 +133,7 @@ private:
         const std::span<const Reference> references = task.from.references;
         for (size_t begin = 0; begin < references.size(); begin += piece_size) {
             const size_t count = std::min(piece_size, references.size() - begin);
-            task.pieces.push_back({references.subspan(begin, count), SplitSearch(cost_), {}, {}});
+            task.pieces.push_back({references.subspan(begin, count), SplitSearch(), {}, {}});
         }
     }
 
@@ -188,7 +185,6 @@ private:
         std::tie(task.lower.branch, task.upper.branch) = add_branches(task.from.branch, task.split);
     }
 
-    CostModel cost_;
     unsigned threads_;
     size_t limit_;
     std::vector<Workbench> workbenches_; // one a thread
@@ -198,9 +194,8 @@ private:
 
 } // namespace
 
-TopOfTree build_top(FilledCell root, std::span<const TriangleCorners> triangles, const CostModel &cost,
-                    unsigned threads) {
-    return TopBuilder(triangles, cost, threads).build(std::move(root));
+TopOfTree build_top(FilledCell root, std::span<const TriangleCorners> triangles, unsigned threads) {
+    return TopBuilder(triangles, threads).build(std::move(root));
 }
 
 } // namespace glint

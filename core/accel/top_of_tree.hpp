@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "accel/cost_model.hpp"
 #include "accel/partition.hpp"
 
 namespace glint {
@@ -29,7 +28,6 @@ struct TopOfTree {
 };
 
 /// Splits the root and what comes of it level by level.
-[[nodiscard]] TopOfTree build_top(FilledCell root, std::span<const TriangleCorners> triangles, const CostModel &cost,
-                                  unsigned threads);
+[[nodiscard]] TopOfTree build_top(FilledCell root, std::span<const TriangleCorners> triangles, unsigned threads);
 
 } // namespace glint

@@ -19,7 +19,6 @@ struct Visit {
 } // namespace
 
 AccelStatistics measure_tree(const KdTree &tree, uint32_t triangle_count) {
-    const CostModel cost(triangle_count);
     AccelStatistics statistics;
     statistics.triangles = triangle_count;
     statistics.nodes = tree.nodes.size();
@@ -36,7 +35,7 @@ AccelStatistics measure_tree(const KdTree &tree, uint32_t triangle_count) {
             ++statistics.leaves;
             if (node.reference_count() == 0) ++statistics.empty_leaves;
             statistics.depth = std::max(statistics.depth, visit.depth);
-            statistics.sah_cost += probability * cost.leaf(node.reference_count());
+            statistics.sah_cost += probability * CostModel::leaf(node.reference_count());
             continue;
         }
         statistics.sah_cost += probability * CostModel::traversal;
