@@ -15,7 +15,7 @@ struct TraceQuestion {
 };
 
 /// After this many triangles in a group's beam it pays to look at each block's own beam first.
-inline constexpr uint32_t block_beams_after = 3;
+inline constexpr uint32_t block_beams_after = 8;
 
 template <bool shares_origin, bool any_hit> class GroupTrace {
 public:
