@@ -7,7 +7,7 @@
 
 #include "bench/interleaved.hpp"
 #include "bench/own_processor.hpp"
-#include "render/worker_pool.hpp"
+#include "threads/worker_pool.hpp"
 
 namespace glint::bench {
 namespace {

@@ -5,7 +5,9 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/glint)
 
 foreach(library IN ITEMS core shared imageio gles egl osmesa)
-    set_target_properties(glint_${library} PROPERTIES EXPORT_NAME ${library}) # glint::core here and there
+    if(TARGET glint_${library})
+        set_target_properties(glint_${library} PROPERTIES EXPORT_NAME ${library}) # glint::core here and there
+    endif()
 endforeach()
 install(EXPORT glint NAMESPACE glint:: DESTINATION ${package_folder} FILE glintTargets.cmake)
 

@@ -2,8 +2,8 @@
 #include "accel/reference.hpp"
 
 #include <algorithm>
-#include <bit>
 
+#include "math/bits.hpp"
 #include "math/vec.hpp"
 
 namespace glint {
@@ -12,10 +12,10 @@ namespace {
 
 /// The float next to a finite one, away from or towards zero.
 float outward(float x) {
-    return std::bit_cast<float>(std::bit_cast<uint32_t>(x) + 1);
+    return bit_cast<float>(bit_cast<uint32_t>(x) + 1);
 }
 float inward(float x) {
-    return std::bit_cast<float>(std::bit_cast<uint32_t>(x) - 1);
+    return bit_cast<float>(bit_cast<uint32_t>(x) - 1);
 }
 
 /// The largest float <= x and the smallest >= x, for x in the range of floats.

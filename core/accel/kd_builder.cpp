@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "accel/parallel_for.hpp"
 #include "accel/subtree.hpp"
 #include "accel/top_of_tree.hpp"
 #include "accel/tree_layout.hpp"
+#include "threads/parallel_for.hpp"
 
 namespace glint {
 

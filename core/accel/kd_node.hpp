@@ -1,8 +1,9 @@
 // What a node of the kd-tree looks like in memory.
 #pragma once
 
-#include <bit>
 #include <cstdint>
+
+#include "math/bits.hpp"
 
 namespace glint {
 
@@ -25,7 +26,7 @@ public:
     KdNode() = default; ///< nothing yet
 
     [[nodiscard]] static KdNode inner(uint32_t axis, float split, uint32_t upper_child) {
-        return KdNode((upper_child << 2) | axis, std::bit_cast<uint32_t>(split));
+        return KdNode((upper_child << 2) | axis, bit_cast<uint32_t>(split));
     }
     [[nodiscard]] static KdNode leaf(uint32_t first_reference, uint32_t reference_count) {
         return KdNode((reference_count << 2) | leaf_tag, first_reference);
@@ -34,7 +35,7 @@ public:
     [[nodiscard]] bool is_leaf() const { return (word0_ & 3) == leaf_tag; }
     [[nodiscard]] uint32_t axis() const { return word0_ & 3; }
     [[nodiscard]] uint32_t upper_child() const { return word0_ >> 2; }
-    [[nodiscard]] float split() const { return std::bit_cast<float>(word1_); }
+    [[nodiscard]] float split() const { return bit_cast<float>(word1_); }
     [[nodiscard]] uint32_t reference_count() const { return word0_ >> 2; }
     [[nodiscard]] uint32_t first_reference() const { return word1_; }
 

@@ -1,12 +1,12 @@
 // How a leaf's triangles lie in memory: coordinate by coordinate, so that a vector register takes several triangles.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "accel/triangle_data.hpp"
+#include "math/bits.hpp"
 
 namespace glint {
 
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] uint32_t count() const { return count_; }
     [[nodiscard]] uint32_t triangle_id(uint32_t i) const { return words_[9 * size_t{count_} + i]; }
     [[nodiscard]] TriangleCorners corners(uint32_t i) const {
-        const auto at = [&](int row) { return std::bit_cast<float>(words_[row * size_t{count_} + i]); };
+        const auto at = [&](int row) { return bit_cast<float>(words_[row * size_t{count_} + i]); };
         return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}, {at(6), at(7), at(8)}};
     }
 
@@ -42,7 +42,7 @@ inline void write_leaf(uint32_t *words, const uint32_t *triangle_ids, uint32_t c
                        std::span<const TriangleCorners> corners) {
     for (uint32_t i = 0; i < count; ++i) {
         const float *coordinates = &corners[triangle_ids[i]].a.x;
-        for (size_t row = 0; row < 9; ++row) words[row * count + i] = std::bit_cast<uint32_t>(coordinates[row]);
+        for (size_t row = 0; row < 9; ++row) words[row * count + i] = bit_cast<uint32_t>(coordinates[row]);
         words[9 * size_t{count} + i] = triangle_ids[i];
     }
 }

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "accel/parallel_for.hpp"
 #include "accel/split_search.hpp"
+#include "threads/parallel_for.hpp"
 
 namespace glint {
 

@@ -2,7 +2,7 @@
 // the places.
 #include "accel/tree_layout.hpp"
 
-#include "accel/parallel_for.hpp"
+#include "threads/parallel_for.hpp"
 
 namespace glint {
 

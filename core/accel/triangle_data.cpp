@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "accel/parallel_for.hpp"
 #include "scene/triangle_area.hpp"
+#include "threads/parallel_for.hpp"
 
 namespace glint {
 

@@ -11,10 +11,11 @@ Result<Framebuffer> Framebuffer::create(uint32_t width_px, uint32_t height_px, b
         return Error(ErrorCode::bad_input, "a framebuffer of " + size + ", expected at least 1 x 1");
     }
     // 64-bit size first: 12 bytes a pixel for the floats must be addressable.
-    const uint64_t pixels = uint64_t{width_px} * height_px;
-    if (pixels > PTRDIFF_MAX / (3 * sizeof(float))) {
+    const uint64_t wide = uint64_t{width_px} * height_px;
+    if (wide > PTRDIFF_MAX / (3 * sizeof(float))) {
         return Error(ErrorCode::limit_exceeded, "a framebuffer of " + size + " cannot be addressed");
     }
+    const auto pixels = static_cast<size_t>(wide);
     Framebuffer framebuffer;
     framebuffer.width_px_ = width_px;
     framebuffer.height_px_ = height_px;

@@ -1,9 +1,9 @@
 // x^y for highlights.
 #include "math/pow.hpp"
 
-#include <bit>
 #include <cstdint>
 
+#include "math/bits.hpp"
 #include "math/pow_terms.hpp"
 
 namespace glint {
@@ -14,9 +14,9 @@ using namespace pow_terms;
 
 /// log2 of a positive normal float: x = 2^e * m with m in [sqrt(1/2), sqrt(2)).
 float log2_of(float x) {
-    const uint32_t bits = std::bit_cast<uint32_t>(x) + (one_bits - sqrt_half_bits);
+    const uint32_t bits = bit_cast<uint32_t>(x) + (one_bits - sqrt_half_bits);
     const auto exponent = static_cast<float>(static_cast<int32_t>(bits >> 23) - 127);
-    const float m = std::bit_cast<float>((bits & mantissa_mask) + sqrt_half_bits);
+    const float m = bit_cast<float>((bits & mantissa_mask) + sqrt_half_bits);
     const float s = (m - 1.0f) / (m + 1.0f);
     const float s2 = s * s;
     const float series = (((log2_4 * s2 + log2_3) * s2 + log2_2) * s2 + log2_1) * s2 + log2_0;
@@ -29,7 +29,7 @@ float exp2_of(float x) {
     const float r = x - nearest;
     const float series =
         ((((((exp2_7 * r + exp2_6) * r + exp2_5) * r + exp2_4) * r + exp2_3) * r + exp2_2) * r + exp2_1) * r + 1.0f;
-    return series * std::bit_cast<float>(static_cast<uint32_t>(static_cast<int32_t>(nearest) + 127) << 23);
+    return series * bit_cast<float>(static_cast<uint32_t>(static_cast<int32_t>(nearest) + 127) << 23);
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 
 #include "mesh/obj_lines.hpp"
 #include "text/number.hpp"
+#include "text/shortest.hpp"
 #include "text/words.hpp"
 
 namespace glint {
@@ -169,10 +169,9 @@ private:
             return error(word.begin, words(in_quotes(word.text()), " is too far out"),
                          "coordinates reach from -1e12 to 1e12");
         }
-        std::array<char, 32> shortest{};
-        const auto written = std::to_chars(shortest.data(), shortest.data() + shortest.size(), value);
-        if (written.ptr - shortest.data() > word.end - word.begin) return; // cannot be one of the last kind
-        std::fill(std::copy(shortest.data(), written.ptr, word.begin), word.end, ' ');
+        const std::string text = shortest(value);
+        if (text.size() > word.text().size()) return; // cannot be one of the last kind
+        std::fill(std::copy(text.begin(), text.end(), word.begin), word.end, ' ');
     }
 
     void check_face(const Word &keyword) {

@@ -28,8 +28,8 @@ public:
 class MeshMaker {
 public:
     explicit MeshMaker(const ObjCounts &counts) {
-        mesh_.positions.reserve(counts.vertices);
-        mesh_.triangles.reserve(counts.triangles);
+        mesh_.positions.reserve(static_cast<size_t>(counts.vertices));
+        mesh_.triangles.reserve(static_cast<size_t>(counts.triangles));
     }
 
     void add_vertex(float x, float y, float z) { mesh_.positions.emplace_back(x, y, z); }

@@ -8,8 +8,8 @@
 #include "render/aligned_memory.hpp"
 #include "render/shading_tables.hpp"
 #include "render/tiling.hpp"
-#include "render/worker_pool.hpp"
 #include "scene/camera_check.hpp"
+#include "threads/worker_pool.hpp"
 
 namespace glint {
 

@@ -1,23 +1,13 @@
 // The arguments of one directive, handed to its handler with checks and places.
 #include "sdl/arguments.hpp"
 
-#include <array>
-#include <charconv>
 #include <limits>
 
 #include "text/number.hpp"
+#include "text/shortest.hpp"
 #include "text/words.hpp"
 
 namespace glint {
-
-namespace {
-
-std::string shortest(float value) {
-    std::array<char, 32> text{};
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-} // namespace
 
 float Arguments::number(size_t i, float lowest, float highest) const {
     constexpr float none = std::numeric_limits<float>::quiet_NaN();

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <system_error>
+
+#include <fast_float/fast_float.h>
 
 #include "text/words.hpp"
 
@@ -67,17 +70,11 @@ std::optional<NumberFault> read_number(std::string_view token, float &value) {
     const NumberShape shape = scan_number(token.data(), end);
     if (!shape.valid || shape.end != end) return explain(token);
 
-    // from_chars takes no plus sign.
+    // from_chars takes no plus sign. What is too large becomes infinite, what is too small becomes zero.
     const char *const begin = token.data() + (token[0] == '+' ? 1 : 0);
-    const std::from_chars_result result = std::from_chars(begin, end, value);
-    if (result.ec != std::errc::result_out_of_range) return std::nullopt;
-    // Too small is not a fault. What does not fit a double either is beyond 10^300 or below 10^-300.
-    double wide = 0.0;
-    const bool fits_double = std::from_chars(begin, end, wide).ec == std::errc();
-    const bool is_small = fits_double ? wide > -1.0 && wide < 1.0 : shape.magnitude < 300;
-    if (!is_small) return NumberFault{words(in_quotes(token), " is too large"), "the largest number is 3.4e38"};
-    value = 0.0f;
-    return std::nullopt;
+    fast_float::from_chars(begin, end, value);
+    if (std::isfinite(value)) return std::nullopt;
+    return NumberFault{words(in_quotes(token), " is too large"), "the largest number is 3.4e38"};
 }
 
 std::optional<NumberFault> read_whole_number(std::string_view token, uint64_t &value) {

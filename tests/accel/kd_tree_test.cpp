@@ -11,11 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "accel/cost_model.hpp"
-#include "accel/parallel_for.hpp"
 #include "accel/reference.hpp"
 #include "accel/tree_statistics.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
+#include "threads/parallel_for.hpp"
 
 namespace glint::test {
 namespace {

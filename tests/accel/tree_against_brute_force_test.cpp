@@ -1,6 +1,5 @@
 // The tree against the oracle: same triangle, same distance to the last bit, for every ray.
 #include <algorithm>
-#include <bit>
 #include <cfloat>
 #include <mutex>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "accel/accel_impl.hpp"
 #include "accel/ray_sets.hpp"
 #include "kernel/traverse.hpp"
+#include "math/bits.hpp"
 #include "support/geometry.hpp"
 #include "support/meshes.hpp"
 
@@ -76,7 +76,7 @@ void EveryMesh::compare_with_brute_force(AccelKind kind) {
                         !any_hit(tree, prepared, by_force.t, everything);
                     my_hits += by_force.triangle_id != no_triangle;
                     if (by_tree.triangle_id != by_force.triangle_id ||
-                        std::bit_cast<uint32_t>(by_tree.t) != std::bit_cast<uint32_t>(by_force.t) || !any_agrees) {
+                        bit_cast<uint32_t>(by_tree.t) != bit_cast<uint32_t>(by_force.t) || !any_agrees) {
                         const std::lock_guard lock(mutex);
                         if (differences++ == 0) first_difference = describe(ray, by_tree, by_force);
                     }

@@ -3,12 +3,13 @@
 // anything differs.
 #include <cstdio>
 #include <cstdlib>
-#include <thread>
 #include <vector>
 
 #include "kernel/ray_comparison.hpp"
 #include "support/meshes.hpp"
+#include "threads/thread_group.hpp"
 
+using namespace glint;
 using namespace glint::test;
 
 int main(int count, char **arguments) {
@@ -25,9 +26,9 @@ int main(int count, char **arguments) {
         const auto scene = scene_of(mesh.mesh);
         std::vector<RayComparison> parts(threads);
         {
-            std::vector<std::jthread> workers;
+            ThreadGroup workers;
             for (unsigned i = 0; i < threads; ++i) {
-                workers.emplace_back([&, i] {
+                workers.start([&, i] {
                     const auto part_end = [&](uint64_t part) {
                         return static_cast<uint32_t>(batches * part / threads);
                     };

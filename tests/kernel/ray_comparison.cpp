@@ -1,11 +1,11 @@
 // Kernels against each other on the same rays.
 #include "kernel/ray_comparison.hpp"
 
-#include <bit>
 #include <cmath>
 #include <sstream>
 
 #include "kernel/ray_batches.hpp"
+#include "math/bits.hpp"
 
 namespace glint::test {
 
@@ -23,8 +23,8 @@ struct Answers {
         query.any_hits(batch, occluded.data());
     }
     [[nodiscard]] bool agrees(const Answers &other, size_t i) const {
-        return std::bit_cast<uint32_t>(t[i]) == std::bit_cast<uint32_t>(other.t[i]) &&
-               triangle_id[i] == other.triangle_id[i] && occluded[i] == other.occluded[i];
+        return bit_cast<uint32_t>(t[i]) == bit_cast<uint32_t>(other.t[i]) && triangle_id[i] == other.triangle_id[i] &&
+               occluded[i] == other.occluded[i];
     }
 };
 

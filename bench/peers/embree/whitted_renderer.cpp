@@ -12,7 +12,7 @@
 #include "bench/peers/embree/surface_table.hpp"
 #include "bench/peers/embree/whitted_scene.hpp"
 #include "bench/peers/stopwatch.hpp"
-#include "render/worker_pool.hpp"
+#include "threads/worker_pool.hpp"
 
 namespace glint::bench::embree {
 namespace {

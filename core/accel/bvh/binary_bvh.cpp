@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "accel/bvh/range_splitter.hpp"
-#include "accel/parallel_for.hpp"
+#include "math/bits.hpp"
+#include "threads/parallel_for.hpp"
 
 namespace glint {
 namespace {
@@ -18,7 +19,7 @@ public:
         parallel_for_pieces(count_, piece, threads_, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 const Box box = triangles[i].bounds();
-                const float id = std::bit_cast<float>(static_cast<uint32_t>(i));
+                const float id = bit_cast<float>(static_cast<uint32_t>(i));
                 items_[i] = {{{box.lo.x, box.lo.y, box.lo.z, 0.0f}}, {{box.hi.x, box.hi.y, box.hi.z, id}}};
             }
         });

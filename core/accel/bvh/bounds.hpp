@@ -1,9 +1,10 @@
 // Boxes as the hierarchy's builder works with them: in registers of four floats.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <limits>
+
+#include "math/bits.hpp"
 
 namespace glint {
 
@@ -51,7 +52,7 @@ struct BoundedTriangle {
     Four lo, hi;
 
     [[nodiscard]] Four centre() const { return sum(lo, hi); } ///< twice
-    [[nodiscard]] uint32_t triangle_id() const { return std::bit_cast<uint32_t>(hi.v[3]); }
+    [[nodiscard]] uint32_t triangle_id() const { return bit_cast<uint32_t>(hi.v[3]); }
 };
 
 /// Some triangles that stand in a row, and where.

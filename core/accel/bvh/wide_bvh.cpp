@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "accel/bvh/binary_bvh.hpp"
-#include "accel/parallel_for.hpp"
+#include "threads/parallel_for.hpp"
 
 namespace glint {
 namespace {

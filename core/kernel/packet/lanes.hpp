@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kernel/packet/wasm_doubles.hpp"
+
 namespace glint::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;

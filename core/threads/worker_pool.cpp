@@ -1,5 +1,5 @@
 // Threads that wait close by.
-#include "render/worker_pool.hpp"
+#include "threads/worker_pool.hpp"
 
 #include <chrono>
 #include <system_error>
@@ -23,10 +23,9 @@ void wait_for_change(const std::atomic<uint32_t> &value, uint32_t old) {
 } // namespace
 
 WorkerPool::WorkerPool(unsigned threads) {
-    workers_.reserve(threads > 0 ? threads - 1 : 0);
     try {
         for (unsigned worker = 1; worker < threads; ++worker) {
-            workers_.emplace_back([this, worker] { live(worker); });
+            workers_.start([this, worker] { live(worker); });
         }
     } catch (const std::system_error &) {
         // Fewer threads trace the same picture.
@@ -37,7 +36,7 @@ WorkerPool::~WorkerPool() {
     stopping_.store(true);
     epoch_.fetch_add(1);
     epoch_.notify_all();
-    workers_.clear(); // joins, while the atomics are still there
+    workers_.join(); // while the atomics are still there
 }
 
 void WorkerPool::run(const std::function<void(unsigned)> &work) {

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <thread>
-#include <vector>
+
+#include "threads/thread_group.hpp"
 
 namespace glint {
 
@@ -22,7 +22,7 @@ public:
     WorkerPool &operator=(const WorkerPool &) = delete;
 
     /// Threads that work on a job, the caller included.
-    [[nodiscard]] unsigned threads() const { return static_cast<unsigned>(workers_.size()) + 1; }
+    [[nodiscard]] unsigned threads() const { return static_cast<unsigned>(workers_.count()) + 1; }
 
     /// Calls work(worker) at once on the calling thread (worker 0) and on those pool threads (1 .. threads() - 1) that
     /// are awake in time; returns when all calls have. `work` shares out its own parts and must not throw. One call of
@@ -37,7 +37,7 @@ private:
     std::atomic<uint32_t> inside_{0}; // workers that look at the job
     std::atomic<bool> stopping_{false};
     const std::function<void(unsigned)> *work_ = nullptr; // valid while open_ or inside_ > 0
-    std::vector<std::jthread> workers_;
+    ThreadGroup workers_;
 };
 
 } // namespace glint

@@ -1,5 +1,5 @@
 // The pool on its own: many short jobs, nobody left behind, nobody waited for in vain.
-#include "render/worker_pool.hpp"
+#include "threads/worker_pool.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // A loop whose turns are shared out among threads.
-#include "accel/parallel_for.hpp"
+#include "threads/parallel_for.hpp"
 
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <system_error>
-#include <thread>
-#include <vector>
+
+#include "threads/thread_group.hpp"
 
 namespace glint {
 
@@ -24,9 +24,9 @@ void parallel_for(size_t count, unsigned threads, const std::function<void(size_
         }
     };
     {
-        std::vector<std::jthread> others;
+        ThreadGroup others;
         try {
-            for (unsigned i = 1; i < threads && i < count; ++i) others.emplace_back(work, i);
+            for (unsigned i = 1; i < threads && i < count; ++i) others.start([&work, i] { work(i); });
         } catch (const std::system_error &) {
             // The system gives no more threads: go on with those there are.
         }
