@@ -74,9 +74,34 @@ TEST(Batches, may_end_behind_their_first_ray) {
                     std::vector<uint8_t> occluded(rows.count());
                     RayQuery(accel, isa).any_hits(rows.batch(), occluded.data());
                     EXPECT_EQ(occluded, std::vector<uint8_t>(rows.count(), 1))
-                        << isa_name(isa) << ", " << accel_kind_name(kind) << ", way " << way << ", near first " << near_first;
+                        << isa_name(isa) << ", " << accel_kind_name(kind) << ", way " << way << ", near first "
+                        << near_first;
                 }
             }
+        }
+    }
+}
+
+// A triangle seen edge on is hit at a point of its longest edge, before the ray comes to the triangle's plane: that it
+// ends before the plane tells nothing.
+TEST(Batches, may_end_before_the_plane_of_what_they_hit) {
+    Mesh needle;
+    needle.positions = {{0.0f, 0.0f, 0.0f},
+                        {-0x1.1805bcp-1f, -0x1.9b51b6p-1f, -0x1.e275d2p-3f},
+                        {-0x1.17ecc2p-1f, -0x1.9ad768p-1f, -0x1.e1d5f4p-3f}};
+    needle.triangles = {{0, 1, 2}};
+    const Ray along{{0x1.b66012p-2f, 0x1.4231cep-1f, 0x1.79f68ep-3f},
+                    {-0x1.17f4aep-1f, -0x1.9b5bf8p-1f, -0x1.e2883ap-3f}};
+    RayRows rows;
+    for (int i = 0; i < 5; ++i) rows.add(along, 0x1.0cdf3cp+0f);
+    const auto scene = scene_of(std::move(needle));
+    for (const AccelKind kind : {AccelKind::kdtree, AccelKind::bvh}) {
+        const auto accel = Accel::build(scene, {kind, 1});
+        for (const Isa isa : available_isas()) {
+            std::vector<uint8_t> occluded(rows.count());
+            RayQuery(accel, isa).any_hits(rows.batch(), occluded.data());
+            EXPECT_EQ(occluded, std::vector<uint8_t>(rows.count(), 1))
+                << isa_name(isa) << ", " << accel_kind_name(kind);
         }
     }
 }

@@ -284,9 +284,12 @@ private:
                                least(plane.n.y, ends_.lo.y - a[1], ends_.hi.y - a[1]) +
                                least(plane.n.z, ends_.lo.z - a[2], ends_.hi.z - a[2]);
         // With eps = 2^-24: t is off by 4 eps sum|n| |dir| / det + 2 eps, of which 4 eps are left between a ray's t_max
-        // and the end taken here; an end is off by eps of itself and of the way. The rest is for the differences above.
+        // and the end taken here; an end is off by eps of itself and of the way. A triangle seen edge on (least_det)
+        // may be hit as far as it reaches along the ray from where that meets its plane, 2^-26 |e|^3 off the plane at
+        // most. The rest is for the differences above.
+        const double e = triangle.edge_reach;
         const double margin = double(0x1p-24f * sum_abs(n)) * (5.0f * ends_.way + ends_.reach) +
-                              double(0x1p-46f * triangle.edge_reach) * triangle.edge_reach * reach_;
+                              (0x1p-46 * e) * (e * reach_) + (0x1p-25 * e) * (e * e);
         return at_origin * side > margin && at_ends > margin;
     }
 
