@@ -142,6 +142,19 @@ public:
         }
     }
 
+    /// For rays that make no beam, in a tree that is a single leaf: all its triangles, each against all rays. Of the
+    /// beam `dir_reach` and `slack` must be known, and no apex.
+    HWY_INLINE void visit_root_leaf() {
+        const KdNode root = question_.geometry.nodes[0];
+        const uint32_t count = root.reference_count();
+        const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{root.first_reference()};
+        for (uint32_t i = 0; i < count && !(any_hit && selection_.empty()); ++i) {
+            const TriangleSetup triangle(words, count, i);
+            if (any_hit && triangle.id - question_.first_passed < question_.passed_count) continue;
+            test_blocks(triangle, ExactPlane(triangle), (1u << block_count) - 1);
+        }
+    }
+
 private:
     /// A cell in the beam's coordinates (lo and hi of u and v), and the beam's sides over the cell's depths.
     struct Cell {
@@ -221,8 +234,13 @@ private:
             test_from_apex(triangle, plane);
             return;
         }
+        test_blocks(triangle, plane, blocks_entered_by(triangle));
+    }
+
+    /// The rays of some blocks, which start anywhere.
+    HWY_INLINE void test_blocks(const TriangleSetup &triangle, const ExactPlane &plane, uint32_t blocks) {
         const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
-        for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
+        for (; blocks != 0; blocks &= blocks - 1) {
             test_block(
                 triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
                 [&](uint32_t ray, uint32_t lanes) { return distances(triangle, plane, ray, lanes); });

@@ -86,6 +86,25 @@ HWY_INLINE bool make_beam(const RayGroup &rays, const RaySelection &selection, c
     return true;
 }
 
+/// No beam at all: just how long the selected rays' directions are, and how far everything is.
+HWY_INLINE Beam unbounded_beam(const RayGroup &rays, const RaySelection &selection, const Box &scene_bounds) {
+    const Box &b = scene_bounds;
+    const Points lo = splat({b.lo.x, b.lo.y, b.lo.z}), hi = splat({b.hi.x, b.hi.y, b.hi.z});
+    Floats dir_reach = hn::Zero(floats), reach = hn::Zero(floats);
+    for_each_vector(selection, [&](uint32_t ray, uint32_t lane_bits) {
+        const FloatMask lanes = mask_of(lane_bits);
+        const Points org = rays.org(ray);
+        const Floats farthest = hn::Max(max_abs(difference(lo, org)), max_abs(difference(hi, org)));
+        dir_reach = hn::IfThenElse(lanes, hn::Max(dir_reach, max_abs(rays.dir(ray))), dir_reach);
+        reach = hn::IfThenElse(lanes, hn::Max(reach, farthest), reach);
+    });
+    Beam beam{};
+    beam.dir_reach = greatest_lane(dir_reach);
+    beam.slack = 0x1p-20f * greatest_lane(reach);
+    beam.apex_miss = -1.0f;
+    return beam;
+}
+
 /// The beam of primary rays through a full tile's pixels, all of unit length: on a flat window the steepest rays are
 /// those through the corners.
 HWY_INLINE bool make_tile_beam(const RayGroup &rays, const Box &scene_bounds, Beam &beam) {

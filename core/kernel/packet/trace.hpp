@@ -178,6 +178,13 @@ template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQ
         trace_quarters<shares_origin, any_hit>(question, rays, selection, history);
         return;
     }
+    if constexpr (!shares_origin && !any_hit) {
+        if (question.geometry.nodes[0].is_leaf()) {
+            const Beam all = unbounded_beam(rays, selection, question.geometry.bounds);
+            GroupTrace<shares_origin, any_hit>(question, rays, selection, all, nullptr).visit_root_leaf();
+            return;
+        }
+    }
     RaysByFace by(rays, selection);
     selection.clear();
     for (RaySelection &part : by.face) {
