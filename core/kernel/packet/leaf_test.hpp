@@ -1,7 +1,7 @@
 // The triangles of a leaf, several at once, against one ray after another.
 #pragma once
 
-#include "kernel/packet/group_trace.hpp"
+#include "kernel/packet/group_test.hpp"
 
 namespace glint::HWY_NAMESPACE {
 
