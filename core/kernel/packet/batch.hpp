@@ -126,7 +126,13 @@ HWY_INLINE void answer(const GeometryView &geometry, const RayBatch &batch, cons
         BatchWindow window(batch, first, static_cast<uint32_t>(smaller(batch.count - first, window_size)));
         window.for_each_group([&](RayGroup &rays, RaySelection &selection, bool shares_origin) {
             if (shares_origin) {
-                trace<true, any_hit>(question, rays, selection, history);
+                RayHint hint;
+                RayEnds ends{};
+                if constexpr (any_hit) {
+                    ends = find_ends(rays, selection);
+                    if (ends.way < __FLT_MAX__) hint.ends = &ends;
+                }
+                trace<true, any_hit>(question, rays, selection, history, hint);
             } else {
                 trace<false, any_hit>(question, rays, selection, history);
             }
