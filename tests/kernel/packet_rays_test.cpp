@@ -1,4 +1,6 @@
 // Every kernel's rays end where the scalar kernel's do, through the tree and by brute force.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "kernel/ray_batches.hpp"
@@ -102,6 +104,26 @@ TEST(Batches, may_end_before_the_plane_of_what_they_hit) {
             RayQuery(accel, isa).any_hits(rows.batch(), occluded.data());
             EXPECT_EQ(occluded, std::vector<uint8_t>(rows.count(), 1))
                 << isa_name(isa) << ", " << accel_kind_name(kind);
+        }
+    }
+}
+
+TEST(Batches, answer_for_sound_rays_whatever_stands_beside_them) {
+    const auto scene = scene_of(flat_grid(4)); // in the plane z = 0
+    RayRows rows;
+    const Point origin{0.1f, 0.2f, 5.0f};
+    for (int i = 0; i < 16; ++i) rows.add({origin, {0.0f, 0.0f, -1.0f}}, 10.0f);
+    for (int i = 0; i < 16; ++i) rows.add({origin, {0.0f, 0.0f, -0.0f}}, INFINITY); // go nowhere, for ever
+    for (int i = 0; i < 16; ++i) rows.add({origin, {0.0f, 0.0f, -1.0f}}, 4.0f);
+    for (const AccelKind kind : {AccelKind::kdtree, AccelKind::bvh}) {
+        const auto accel = Accel::build(scene, {kind, 1});
+        for (const Isa isa : available_isas()) {
+            std::vector<uint8_t> occluded(rows.count());
+            RayQuery(accel, isa).any_hits(rows.batch(), occluded.data());
+            for (size_t i = 0; i < rows.count(); ++i) {
+                ASSERT_EQ(occluded[i], i < 16 ? 1 : 0)
+                    << "ray " << i << ", " << isa_name(isa) << ", " << accel_kind_name(kind);
+            }
         }
     }
 }

@@ -65,15 +65,15 @@ public:
         return false;
     }
 
-    /// For rays that make no beam, in a tree that is a single leaf: all its triangles, each against all rays. Of the
-    /// beam `dir_reach` and `slack` must be known, and no apex.
+    /// For closest hits of rays that make no beam, in a tree that is a single leaf: all its triangles, each against all
+    /// rays. Of the beam `dir_reach` and `slack` must be known, and no apex.
     HWY_INLINE void visit_root_leaf() {
+        static_assert(!any_hit);
         const KdNode root = question_.geometry.nodes[0];
         const uint32_t count = root.reference_count();
         const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{root.first_reference()};
-        for (uint32_t i = 0; i < count && !(any_hit && selection_.empty()); ++i) {
+        for (uint32_t i = 0; i < count; ++i) {
             const TriangleSetup triangle(words, count, i);
-            if (any_hit && triangle.id - question_.first_passed < question_.passed_count) continue;
             test_blocks(triangle, ExactPlane(triangle), (1u << block_count) - 1);
         }
     }

@@ -128,14 +128,15 @@ struct RayEnds {
 };
 
 /// Gathers the ways from a shared origin to the rays' ends. An end is taken a little beyond its t_max, by 4 eps: see
-/// GroupTrace::all_end_before().
+/// GroupTest::all_end_before().
 class WayBounds {
 public:
     HWY_INLINE void extend(FloatMask lanes, const Points &dir, Floats t_max) {
         const Points way = scaled(dir, t_max * splat(1.0f + 0x1p-22f));
         const auto extend = [lanes](Floats &low, Floats &high, Floats w) {
-            low = hn::IfThenElse(lanes, hn::Min(low, w), low);
-            high = hn::IfThenElse(lanes, hn::Max(high, w), high);
+            // In this order: a way that is no number (0 times infinity) must not wipe out the others'.
+            low = hn::IfThenElse(lanes, hn::Min(w, low), low);
+            high = hn::IfThenElse(lanes, hn::Max(w, high), high);
         };
         extend(lo_.x, hi_.x, way.x);
         extend(lo_.y, hi_.y, way.y);

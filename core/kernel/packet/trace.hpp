@@ -1,5 +1,5 @@
-// Chooses how the rays of a group are traced. Through the kd-tree: all together, a quarter at a time, in step block by
-// block, or one by one. Through the wide hierarchy: all together, or as streams.
+// Chooses how the rays of a group are traced. Through the kd-tree: all together, by the axis they follow, a quarter at
+// a time, in step block by block, or one by one. Through the wide hierarchy: all together, or as streams.
 #pragma once
 
 #include "kernel/kernel.hpp"
@@ -67,7 +67,7 @@ HWY_INLINE float width_of(const Beam &beam) {
 /// What is known of a group's rays beforehand.
 struct RayHint {
     bool is_full_tile = false;     ///< primary rays through all pixels of a tile
-    const RayEnds *ends = nullptr; ///< of shadow rays, which end on a surface that a tile sees
+    const RayEnds *ends = nullptr; ///< of shadow rays, which mostly end on one surface
 };
 
 /// The beam around the selected rays; false where they do not go one way.
