@@ -42,7 +42,7 @@ std::vector<Vector> triangle_normals(const Scene &scene) {
     std::vector<Vector> normals;
     normals.reserve(scene.triangle_count());
     for (uint32_t s = 0; s < scene.surface_count(); ++s) {
-        const Mesh &mesh = scene.surface_mesh(s);
+        const Mesh &mesh = *scene.surface_mesh(s);
         for (const Triangle &triangle : mesh.triangles) {
             const glm::dvec3 a = mesh.positions[triangle.a];
             const glm::dvec3 ab = glm::dvec3(mesh.positions[triangle.b]) - a;
@@ -118,7 +118,7 @@ struct HitRays {
 } // namespace
 
 Viewpoint viewpoint_of(const Scene &scene) {
-    return {scene.camera(), scene.light_centroids().front()};
+    return {scene.camera(), scene.light_positions().front()};
 }
 
 Viewpoint viewpoint_framing(const Scene &scene) {
@@ -126,7 +126,7 @@ Viewpoint viewpoint_framing(const Scene &scene) {
     Point lo(limit), hi(-limit);
     const auto for_each_position = [&](const auto &visit) {
         for (uint32_t s = 0; s < scene.surface_count(); ++s) {
-            for (const Point &position : scene.surface_mesh(s).positions) visit(position);
+            for (const Point &position : scene.surface_mesh(s)->positions) visit(position);
         }
     };
     for_each_position([&](const Point &p) {

@@ -14,16 +14,38 @@ Json to_json(const glm::vec3 &v) {
 
 Json to_json(const Object &object) {
     const Material &m = object.material;
-    return {{"name", object.name},       {"triangles", object.mesh->triangles.size()},
-            {"color", to_json(m.color)}, {"ka", m.ambient},
-            {"kd", m.diffuse},           {"ks", m.specular},
-            {"ke", m.specular_exponent}, {"kr", m.reflection},
-            {"kt", m.transmission}};
+    return {{"name", object.name},
+            {"shape", object.quadric ? "quadric" : "mesh"},
+            {"triangles", object.mesh ? object.mesh->triangles.size() : 0},
+            {"color", to_json(m.color)},
+            {"ka", m.ambient},
+            {"kd", m.diffuse},
+            {"ks", m.specular},
+            {"ke", m.specular_exponent},
+            {"kr", m.reflection},
+            {"kt", m.transmission},
+            {"ior", m.ior},
+            {"reflection_adds", m.adds_to_local}};
 }
 
-Json to_json(const MeshLight &light) {
+const char *kind_name(Light::Kind kind) {
+    switch (kind) {
+    case Light::Kind::surface:
+        return "surface";
+    case Light::Kind::point:
+        return "point";
+    case Light::Kind::directional:
+        return "directional";
+    case Light::Kind::spot:
+        return "spot";
+    }
+    return "";
+}
+
+Json to_json(const Light &light) {
     return {{"name", light.name},
-            {"triangles", light.mesh->triangles.size()},
+            {"kind", kind_name(light.kind)},
+            {"triangles", light.mesh ? light.mesh->triangles.size() : 0},
             {"color", to_json(light.color)},
             {"intensity", light.intensity}};
 }

@@ -17,16 +17,22 @@ std::string triple(const glm::vec3 &v) {
     return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z);
 }
 
-std::string object_line(const Object &object) {
-    const Material &m = object.material;
-    return fmt::format("  {:<24} {:>9} triangles  color {}  ka {:g} kd {:g} ks {:g} ke {:g} kr {:g} kt {:g}\n",
-                       object.name, object.mesh->triangles.size(), triple(m.color), m.ambient, m.diffuse, m.specular,
-                       m.specular_exponent, m.reflection, m.transmission);
+/// "12 triangles", or what a surface without a mesh is.
+std::string shape_text(const Mesh *mesh) {
+    return mesh ? fmt::format("{} triangles", mesh->triangles.size()) : "quadric";
 }
 
-std::string light_line(const MeshLight &light) {
-    return fmt::format("  {:<24} {:>9} triangles  color {}  intensity {:g}\n", light.name, light.mesh->triangles.size(),
-                       triple(light.color), light.intensity);
+std::string object_line(const Object &object) {
+    const Material &m = object.material;
+    return fmt::format("  {:<24} {:>19}  color {}  ka {:g} kd {:g} ks {:g} ke {:g} kr {:g} kt {:g} ior {:g}\n",
+                       object.name, shape_text(object.mesh.get()), triple(m.color), m.ambient, m.diffuse, m.specular,
+                       m.specular_exponent, m.reflection, m.transmission, m.ior);
+}
+
+std::string light_line(const Light &light) {
+    const bool is_seen = light.kind == Light::Kind::surface;
+    return fmt::format("  {:<24} {:>19}  color {}  intensity {:g}\n", light.name,
+                       is_seen ? shape_text(light.mesh.get()) : "", triple(light.color), light.intensity);
 }
 
 template <typename Surface>

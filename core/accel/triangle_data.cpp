@@ -15,7 +15,9 @@ TriangleData TriangleData::from(const Scene &scene, unsigned threads) {
     data.surfaces.resize(scene.triangle_count());
     size_t first_id = 0;
     for (uint32_t s = 0; s < scene.surface_count(); ++s) {
-        const Mesh &mesh = scene.surface_mesh(s);
+        const Mesh *const of_surface = scene.surface_mesh(s);
+        if (!of_surface) continue;
+        const Mesh &mesh = *of_surface;
         parallel_for_pieces(mesh.triangles.size(), piece_size, threads, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 const Triangle &t = mesh.triangles[i];

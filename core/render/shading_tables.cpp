@@ -24,12 +24,14 @@ ShadingTables::ShadingTables(const Accel &accel) : accel_(accel) {
     const Scene &scene = accel.scene();
     for (const Object &object : scene.objects()) surfaces_.push_back(shading_of(object.material, scene.ambient()));
     uint32_t first_triangle = 0;
-    for (const Object &object : scene.objects()) first_triangle += static_cast<uint32_t>(object.mesh->triangles.size());
+    for (const Object &object : scene.objects()) {
+        if (object.mesh) first_triangle += static_cast<uint32_t>(object.mesh->triangles.size());
+    }
     for (size_t i = 0; i < scene.lights().size(); ++i) {
-        const MeshLight &light = scene.lights()[i];
+        const Light &light = scene.lights()[i];
         const Color emission = light.color * light.intensity;
-        const auto triangle_count = static_cast<uint32_t>(light.mesh->triangles.size());
-        lights_.push_back({scene.light_centroids()[i], emission, first_triangle, triangle_count});
+        const auto triangle_count = light.mesh ? static_cast<uint32_t>(light.mesh->triangles.size()) : 0;
+        lights_.push_back({scene.light_positions()[i], emission, first_triangle, triangle_count});
         first_triangle += triangle_count;
         SurfaceShading shading{};
         shading.is_light = true;

@@ -37,4 +37,18 @@ uint64_t Arguments::whole_number(size_t i, uint64_t otherwise) const {
     return otherwise;
 }
 
+uint64_t Arguments::whole_number_in(size_t i, uint64_t lowest, uint64_t highest) const {
+    const uint64_t value = whole_number(i, lowest);
+    if (value >= lowest && value <= highest) return value;
+    error(i, words(form_.argument(i), " is ", in_quotes(word(i)), ", expected a whole number from ", lowest, " to ",
+                   highest));
+    return lowest;
+}
+
+bool Arguments::on_or_off(size_t i) const {
+    if (word(i) == "on") return true;
+    if (word(i) != "off") error(i, words("expected 'on' or 'off', found ", in_quotes(word(i))));
+    return false;
+}
+
 } // namespace glint

@@ -21,6 +21,7 @@ public:
     Arguments(const Line &line, const DirectiveForm &form, Problems &problems)
         : line_(line), form_(form), problems_(problems) {}
 
+    [[nodiscard]] size_t count() const { return static_cast<size_t>(line_.argument_count); }
     [[nodiscard]] std::string_view word(size_t i) const { return token(i).text; }
     /// A number from `lowest` to `highest`; NaN where there is none.
     [[nodiscard]] float number(size_t i, float lowest, float highest) const;
@@ -30,6 +31,10 @@ public:
     [[nodiscard]] Point point(size_t i) const { return numbers(i, -max_coordinate, max_coordinate); }
     /// A whole number; `otherwise` where there is none.
     [[nodiscard]] uint64_t whole_number(size_t i, uint64_t otherwise) const;
+    /// A whole number from `lowest` to `highest`; `lowest` where there is none.
+    [[nodiscard]] uint64_t whole_number_in(size_t i, uint64_t lowest, uint64_t highest) const;
+    /// Whether the word is "on"; anything but "on" and "off" is an error.
+    [[nodiscard]] bool on_or_off(size_t i) const;
 
     [[nodiscard]] Place place(size_t i) const { return line_.place(token(i)); }
     [[nodiscard]] Place keyword_place() const { return line_.place(line_.tokens[0]); }

@@ -68,14 +68,16 @@ public:
         for (const Evidence &evidence : evidence_) candidates = candidates & evidence.dialects;
         if (candidates.empty()) return tell_mixture(), std::nullopt;
         if (evidence_.empty()) return DetectedDialect{Dialect::mobile2013, "no line shows another dialect"};
+        // Of raycife's own form of a light no line is found: then it reads as path2005 does, and that is the plainer.
+        if (candidates == (DialectSet(Dialect::path2005) | Dialect::raycife)) candidates = Dialect::path2005;
         const std::optional<Dialect> dialect = candidates.only();
         if (!dialect) return tell_ambiguity(candidates), std::nullopt;
 
         // The most telling line: one that fits this dialect only, where there is one.
-        const auto tells = [&](const Evidence &evidence) { return evidence.dialects == candidates; };
-        const auto telling = std::find_if(evidence_.begin(), evidence_.end(), tells);
-        const Evidence &deciding = telling != evidence_.end() ? *telling : evidence_.back();
-        return if_supported({*dialect, on_line(deciding)}, deciding.place);
+        const Evidence &deciding = *std::min_element(
+            evidence_.begin(), evidence_.end(),
+            [&](const Evidence &a, const Evidence &b) { return a.dialects.count() < b.dialects.count(); });
+        return DetectedDialect{*dialect, on_line(deciding)};
     }
 
     /// The name behind the file's own `dialect` directive, if there is one.
@@ -91,7 +93,7 @@ private:
     };
 
     std::optional<DetectedDialect> by_name(std::string_view name, const Place &place, std::string reason) {
-        if (const auto dialect = dialect_named(name)) return if_supported({*dialect, std::move(reason)}, place);
+        if (const auto dialect = dialect_named(name)) return DetectedDialect{*dialect, std::move(reason)};
         std::vector<std::string_view> known;
         std::string listed;
         for (size_t i = 0; i < dialect_count; ++i) {
@@ -101,13 +103,6 @@ private:
         const auto nearest = nearest_word(name, known);
         problems_.error(place, words("there is no dialect ", in_quotes(name)),
                         nearest ? words("did you mean '", *nearest, "'?") : words("the dialects are ", listed));
-        return std::nullopt;
-    }
-
-    std::optional<DetectedDialect> if_supported(DetectedDialect detected, const Place &place) {
-        if (is_supported(detected.dialect)) return detected;
-        problems_.error(place, words("this version of Glint reads the dialect mobile2013, and the file is ",
-                                     dialect_name(detected.dialect), " (", detected.reason, ")"));
         return std::nullopt;
     }
 

@@ -5,11 +5,13 @@
 //   usage     how the directive is written; the words also name the arguments in messages
 //   dialects  which dialects have it
 //   evidence  which dialects a file with such a line belongs to; `nothing` where every dialect may have the line
-//   handler   what it does, or `not_yet`: then a file that has it is refused, by name, never read without it
+//   handler   what it does
 //   role      whether it adds a light or an object; all else is a setting, which a file may give once
 // Where a line fits several rows, the evidence is for any of their dialects. Detection (detect.cpp) looks at nothing
-// else, so a dialect's rows are here before this version can read it: that is how a file of it is recognised and
-// refused. Once a dialect has its handlers, set it in `supported`.
+// else.
+//
+// Directives of one dialect that mean the same everywhere are taken in files of the others, too: where one says
+// `dialect` and then `maxdepth`, nothing is left to guess.
 #include "sdl/dialects.hpp"
 
 #include <algorithm>
@@ -21,66 +23,78 @@ namespace glint {
 
 namespace {
 
-constexpr std::array<std::string_view, dialect_count> names = {"mobile2013", "path2005", "ray2005", "cg-path-tracer",
-                                                               "raycife"};
-constexpr DialectSet supported = Dialect::mobile2013;
+constexpr std::array<std::string_view, dialect_count> names = {"mobile2013",     "path2005", "ray2005",
+                                                               "cg-path-tracer", "raycife",  "glint"};
 
 constexpr Dialect mobile = Dialect::mobile2013, path = Dialect::path2005, ray = Dialect::ray2005,
-                  cg = Dialect::cg_path_tracer, cife = Dialect::raycife;
+                  cg = Dialect::cg_path_tracer, cife = Dialect::raycife, own = Dialect::glint;
 constexpr DialectSet all = DialectSet::all();
 constexpr DialectSet nothing;
-constexpr DirectiveHandler not_yet = nullptr;
+/// raycife is path2005 with one more form of `light`.
+constexpr DialectSet paths = DialectSet(path) | cife;
+constexpr DialectSet tracers = paths | cg;
 constexpr auto light = DirectiveForm::Role::light, object = DirectiveForm::Role::object;
 
 // clang-format off
 constexpr DirectiveForm forms[] = {
-    // usage                                         dialects     evidence  handler           role
-    {"dialect name",                                 all,         nothing,  read_dialect},
-    {"eye x y z",                                    all,         nothing,  read_eye},
-    {"target x y z",                                 all,         nothing,  not_yet},
-    {"up x y z",                                     all,         nothing,  not_yet},
-    {"window_size w h",                              all,         nothing,  not_yet},
-    {"fov degrees",                                  all,         nothing,  not_yet},
-    {"ortho x0 y0 x1 y1",                            all,         nothing,  read_ortho},
-    {"size w h",                                     all,         nothing,  read_size},
-    {"background r g b",                             all,         nothing,  read_background},
-    {"ambient Ia",                                   all,         nothing,  read_ambient},
-    {"output file",                                  all,         nothing,  read_output},
+    // usage                                                  dialects     evidence  handler           role
+    {"dialect name",                                          all,         nothing,  read_dialect},
+    {"eye x y z",                                             all,         nothing,  read_eye},
+    {"target x y z",                                          all,         nothing,  read_target},
+    {"up x y z",                                              all,         nothing,  read_up},
+    {"window_size w h",                                       all,         nothing,  read_window_size},
+    {"fov degrees",                                           all,         nothing,  read_fov},
+    {"ortho x0 y0 x1 y1",                                     all,         nothing,  read_ortho},
+    {"size w h",                                              all,         nothing,  read_size},
+    {"background r g b",                                      all,         nothing,  read_background},
+    {"ambient Ia",                                            all,         nothing,  read_ambient},
+    {"output file",                                           all,         nothing,  read_output},
 
-    {"max_depth n",                                  all,         mobile,   read_max_depth},
-    {"maxdepth n",                                   all,         cg,       read_max_depth},
-    {"profundidade n",                               all,         ray,      read_max_depth},
-    {"reflections n",                                all,         nothing,  read_max_depth},
+    {"max_depth n",                                           all,         mobile,   read_max_depth},
+    {"maxdepth n",                                            all,         cg,       read_max_depth},
+    {"profundidade n",                                        all,         ray,      read_max_depth},
+    {"reflections n",                                         all,         nothing,  read_max_depth},
 
-    {"supersample on/off",                           all,         ray,      not_yet},
-    {"npaths n",                                     all,         path,     not_yet},
-    {"tonemapping t",                                all,         path,     not_yet},
-    {"seed n",                                       all,         path,     not_yet},
-    {"nshadowrays n",                                all,         nothing,  not_yet},
-    {"lightresolution w h",                          all,         cg,       not_yet},
+    {"supersample on/off",                                    all,         ray,      read_supersample},
+    {"npaths n",                                              all,         tracers,  read_npaths},
+    {"tonemapping t",                                         all,         tracers,  read_tonemapping},
+    {"seed n",                                                all,         tracers,  read_seed},
+    {"nshadowrays n",                                         all,         nothing,  read_nshadowrays},
+    {"lightresolution w h",                                   all,         cg,       read_lightresolution},
 
-    {"light file.obj r g b I",                       all,         nothing,  read_mesh_light,  light},
-    {"light file.obj r g b I x y z",                 cife,        cife,     not_yet,          light},
-    {"light x y z I",                                ray,         ray,      not_yet,          light},
-    {"lightpoint x y z r g b I",                     cg,          cg,       not_yet,          light},
-    {"lightarea file.obj r g b I",                   cg,          cg,       not_yet,          light},
+    // Extensions: see scenes/sdl/README.md.
+    {"samples n [pattern]",                                   all,         nothing,  read_samples},
+    {"reflection_adds on/off",                                all,         nothing,  read_reflection_adds},
+    {"fresnel on/off",                                        all,         nothing,  read_fresnel},
+    {"shadows_through_glass on/off",                          all,         nothing,  read_shadows_through_glass},
 
-    {"object file.obj r g b ka kd ks ke kr kt",      mobile,      mobile,   read_mobile2013_object, object},
-    {"object file.obj r g b ka kd ks kt n [ior]",    path,        path,     not_yet,          object},
-    {"object file.obj dx dy dz r g b ka kd ks n kr kt ior",
-                                                     cg,          cg,       not_yet,          object},
-    {"object a b c d e f g h j k r g b ka kd ks n kr kt ior",
-                                                     DialectSet(ray) | cg,
-                                                                  DialectSet(ray) | cg,
-                                                                            not_yet,          object},
+    {"light file.obj r g b I",                                all,         nothing,  read_mesh_light,        light},
+    {"light file.obj r g b I x y z",                          DialectSet(cife) | own,
+                                                                           cife,     read_aimed_light,       light},
+    {"light x y z I",                                         ray,         ray,      read_white_point_light, light},
+    {"lightpoint x y z r g b I",                              cg,          cg,       read_point_light,       light},
+    {"lightarea file.obj r g b I",                            cg,          cg,       read_mesh_light,        light},
+    {"light_point x y z r g b I ['falloff'] [on/off]",        all,         nothing,  read_point_light,       light},
+    {"light_directional dx dy dz r g b I",                    all,         nothing,  read_directional_light, light},
+    {"light_spot x y z dx dy dz inner outer r g b I ['falloff'] [on/off]",
+                                                              all,         nothing,  read_spot_light,        light},
+    {"light_quadric a b c d e f g h j k r g b I",             all,         nothing,  read_quadric_light,     light},
+
+    {"object file.obj r g b ka kd ks ke kr kt",               mobile,      mobile,   read_mobile2013_object, object},
+    {"object file.obj r g b ka kd ks kt n [ior]",             paths,       paths,    read_path2005_object,   object},
+    {"object file.obj dx dy dz r g b ka kd ks n kr kt ior",   DialectSet(cg) | own,
+                                                                           cg,       read_moved_object,      object},
+    {"object a b c d e f g h j k r g b ka kd ks n kr kt ior", DialectSet(ray) | own,
+                                                                           ray,      read_ray2005_quadric,   object},
+    {"object a b c d e f g h j k r g b ka kd ks n kr kt ior", cg,          cg,       read_cg_quadric,        object},
     {"objectquadric a b c d e f g h j k r g b ka kd ks n kr kt ior",
-                                                     DialectSet(ray) | cg,
-                                                                  DialectSet(ray) | cg,
-                                                                            not_yet,          object},
+                                                              DialectSet(ray) | own,
+                                                                           ray,      read_ray2005_quadric,   object},
+    {"objectquadric a b c d e f g h j k r g b ka kd ks n kr kt ior",
+                                                              cg,          cg,       read_cg_quadric,        object},
     {"objectquadric a b c d e f g h j k r g b ka kd ks kt n [ior]",
-                                                     path,        path,     not_yet,          object},
-    {"quadric a b c d e f g h j k r g b ka kd ks kt n [ior]",
-                                                     path,        path,     not_yet,          object},
+                                                              paths,       paths,    read_path2005_quadric,  object},
+    {"quadric a b c d e f g h j k r g b ka kd ks kt n [ior]", paths,       paths,    read_path2005_quadric,  object},
 };
 // clang-format on
 
@@ -96,8 +110,8 @@ std::optional<Dialect> dialect_named(std::string_view name) {
     return static_cast<Dialect>(found - names.begin());
 }
 
-bool is_supported(Dialect dialect) {
-    return supported.has(dialect);
+bool adds_reflections(Dialect dialect) {
+    return dialect != Dialect::mobile2013 && dialect != Dialect::glint;
 }
 
 std::optional<Dialect> DialectSet::only() const {
@@ -128,7 +142,13 @@ bool DirectiveForm::fits(const Line &line) const {
     if (line.argument_count == 0) return true;
     float value = 0.0f;
     const bool starts_with_number = !read_number(line.tokens[1].text, value);
-    return is_path(0) != starts_with_number || argument(0) == "name" || argument(0) == "on/off";
+    if (is_path(0) == starts_with_number && argument(0) != "name" && argument(0) != "on/off") return false;
+    for (size_t i = 0; i < line.argument_count; ++i) {
+        std::string_view name = argument(i);
+        if (name.starts_with('[')) name = name.substr(1, name.size() - 2);
+        if (name.starts_with('\'') && name.substr(1, name.size() - 2) != line.tokens[i + 1].text) return false;
+    }
+    return true;
 }
 
 std::span<const DirectiveForm> directive_forms() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,16 +14,16 @@
 
 namespace glint {
 
-/// The members of the SDL family, each named after where it was first seen.
-enum class Dialect : uint8_t { mobile2013, path2005, ray2005, cg_path_tracer, raycife };
+/// The members of the SDL family, each named after where it was first seen; `glint` is what `glint convert` writes.
+enum class Dialect : uint8_t { mobile2013, path2005, ray2005, cg_path_tracer, raycife, glint };
 
-inline constexpr size_t dialect_count = 5;
+inline constexpr size_t dialect_count = 6;
 
 /// As written behind the `dialect` directive.
 [[nodiscard]] std::string_view dialect_name(Dialect dialect);
 [[nodiscard]] std::optional<Dialect> dialect_named(std::string_view name);
-/// Whether this version has the handlers that the dialect's own directives need.
-[[nodiscard]] bool is_supported(Dialect dialect);
+/// Whether mirrored and transmitted light is added to a surface's own, or takes the place of its share of it.
+[[nodiscard]] bool adds_reflections(Dialect dialect);
 
 /// Some of the dialects.
 class DialectSet {
@@ -34,6 +35,7 @@ public:
 
     [[nodiscard]] constexpr bool has(Dialect dialect) const { return (bits_ & DialectSet(dialect).bits_) != 0; }
     [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
+    [[nodiscard]] constexpr int count() const { return std::popcount(bits_); }
     /// The only member, where there is just one.
     [[nodiscard]] std::optional<Dialect> only() const;
     /// "mobile2013 or path2005".
@@ -69,7 +71,7 @@ public:
     static constexpr size_t most_words = 28;
 
     /// `usage` is the keyword, then one word for each argument; an argument in [brackets] may be missing. The words
-    /// name the arguments in messages. "file" and "file.obj" stand for paths.
+    /// name the arguments in messages. "file" and "file.obj" stand for paths, a word in 'quotes' for itself.
     constexpr DirectiveForm(std::string_view usage_, DialectSet dialects_, DialectSet evidence_,
                             DirectiveHandler handler_, Role role_ = Role::setting)
         : usage(usage_), dialects(dialects_), evidence(evidence_), handler(handler_), role(role_) {
@@ -84,7 +86,7 @@ public:
     std::string_view usage;
     DialectSet dialects;      ///< that have the form
     DialectSet evidence;      ///< that a file with such a line belongs to; empty where the line says nothing about it
-    DirectiveHandler handler; ///< nullptr: known, and not done by this version
+    DirectiveHandler handler;
     Role role;
 
     [[nodiscard]] constexpr std::string_view keyword() const { return words_[0]; }
@@ -94,7 +96,8 @@ public:
     [[nodiscard]] constexpr std::string_view argument(size_t i) const { return words_[i + 1]; }
     [[nodiscard]] bool is_path(size_t i) const { return argument(i) == "file" || argument(i) == "file.obj"; }
 
-    /// Whether the line has this form: the count of arguments, and a path where a path is expected first.
+    /// Whether the line has this form: the count of arguments, a path where a path is expected first, words that
+    /// stand for themselves.
     [[nodiscard]] bool fits(const Line &line) const;
 
 private:

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 
 #include <glint/scene.hpp>
 
@@ -10,22 +9,47 @@
 
 namespace glint {
 
-// directives_common.cpp: what the dialects share.
+// directives_picture.cpp: the picture and how it is made.
 void read_dialect(const Arguments &arguments, SceneDraft &draft);
-void read_eye(const Arguments &arguments, SceneDraft &draft);
-void read_ortho(const Arguments &arguments, SceneDraft &draft);
 void read_size(const Arguments &arguments, SceneDraft &draft);
 void read_background(const Arguments &arguments, SceneDraft &draft);
 void read_ambient(const Arguments &arguments, SceneDraft &draft);
 void read_max_depth(const Arguments &arguments, SceneDraft &draft);
 void read_output(const Arguments &arguments, SceneDraft &draft);
+void read_supersample(const Arguments &arguments, SceneDraft &draft);
+void read_samples(const Arguments &arguments, SceneDraft &draft);
+void read_npaths(const Arguments &arguments, SceneDraft &draft);
+void read_tonemapping(const Arguments &arguments, SceneDraft &draft);
+void read_seed(const Arguments &arguments, SceneDraft &draft);
+void read_reflection_adds(const Arguments &arguments, SceneDraft &draft);
+void read_fresnel(const Arguments &arguments, SceneDraft &draft);
+void read_shadows_through_glass(const Arguments &arguments, SceneDraft &draft);
+
+// directives_camera.cpp
+void read_eye(const Arguments &arguments, SceneDraft &draft);
+void read_target(const Arguments &arguments, SceneDraft &draft);
+void read_up(const Arguments &arguments, SceneDraft &draft);
+void read_window_size(const Arguments &arguments, SceneDraft &draft);
+void read_fov(const Arguments &arguments, SceneDraft &draft);
+void read_ortho(const Arguments &arguments, SceneDraft &draft);
+
+// directives_lights.cpp
 void read_mesh_light(const Arguments &arguments, SceneDraft &draft);
+void read_aimed_light(const Arguments &arguments, SceneDraft &draft);
+void read_white_point_light(const Arguments &arguments, SceneDraft &draft);
+void read_point_light(const Arguments &arguments, SceneDraft &draft);
+void read_directional_light(const Arguments &arguments, SceneDraft &draft);
+void read_spot_light(const Arguments &arguments, SceneDraft &draft);
+void read_quadric_light(const Arguments &arguments, SceneDraft &draft);
+void read_nshadowrays(const Arguments &arguments, SceneDraft &draft);
+void read_lightresolution(const Arguments &arguments, SceneDraft &draft);
 
-// directives_mobile2013.cpp
+// directives_objects.cpp
 void read_mobile2013_object(const Arguments &arguments, SceneDraft &draft);
-
-/// Reads the mesh that argument i names and counts its triangles against the limit. Returns nullptr where it cannot be
-/// had, after an error.
-[[nodiscard]] std::shared_ptr<const Mesh> read_mesh(const Arguments &arguments, size_t i, SceneDraft &draft);
+void read_path2005_object(const Arguments &arguments, SceneDraft &draft);
+void read_moved_object(const Arguments &arguments, SceneDraft &draft);
+void read_ray2005_quadric(const Arguments &arguments, SceneDraft &draft);
+void read_cg_quadric(const Arguments &arguments, SceneDraft &draft);
+void read_path2005_quadric(const Arguments &arguments, SceneDraft &draft);
 
 } // namespace glint

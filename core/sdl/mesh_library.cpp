@@ -1,10 +1,13 @@
 // The meshes of one scene file, each read once.
 #include "sdl/mesh_library.hpp"
 
+#include <cmath>
 #include <system_error>
 #include <utility>
 
+#include "math/vec.hpp"
 #include "mesh/read_obj.hpp"
+#include "scene/triangle_area.hpp"
 #include "text/text_file.hpp"
 #include "text/words.hpp"
 
@@ -12,26 +15,57 @@ namespace glint {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const Mesh> MeshLibrary::find(std::string_view name, const Place &place, Problems &problems) {
+MeshLibrary::Found MeshLibrary::find(std::string_view name, const Place &place, Problems &problems) {
     const auto [entry, is_new] = by_name_.try_emplace(std::string(name));
     if (is_new) entry->second = look_up(entry->first, place, problems);
     return entry->second;
 }
 
-std::shared_ptr<const Mesh> MeshLibrary::look_up(const std::string &name, const Place &place, Problems &problems) {
+MeshLibrary::Found MeshLibrary::find(std::string_view name, const Vector &offset, const Place &place,
+                                     Problems &problems) {
+    Found found = find(name, place, problems);
+    const bool stays = offset.x == 0.0f && offset.y == 0.0f && offset.z == 0.0f;
+    if (!found.mesh || stays || std::isnan(offset.x + offset.y + offset.z)) return found;
+    const auto [entry, is_new] = moved_.try_emplace({found.mesh.get(), offset.x, offset.y, offset.z});
+    if (is_new) {
+        auto moved = std::make_shared<Mesh>(*found.mesh);
+        for (Point &p : moved->positions) {
+            p = {p.x + offset.x, p.y + offset.y, p.z + offset.z};
+            if (max_abs(p) <= max_coordinate) continue;
+            problems.error(place, words("the mesh ", in_quotes(name), " moves to more than 1e12 from the origin"));
+            return {};
+        }
+        const size_t all = moved->triangles.size();
+        std::erase_if(moved->triangles, [&](const Triangle &t) { return !has_area(*moved, t); });
+        const size_t left = moved->triangles.size();
+        if (left == 0) {
+            problems.error(place, words("so far from the origin no triangle of the mesh ", in_quotes(name), " is left"));
+            return {};
+        }
+        if (left < all) {
+            problems.warn(place, words(all - left, " of the ", all, " triangles of the mesh ", in_quotes(name),
+                                       " have no area so far from the origin, and are left out"));
+        }
+        entry->second = std::move(moved);
+    }
+    found.mesh = entry->second;
+    return found;
+}
+
+MeshLibrary::Found MeshLibrary::look_up(const std::string &name, const Place &place, Problems &problems) {
     const Result<fs::path> found = paths_.find(name);
     if (!found.ok()) {
         for (const Diagnostic &diagnostic : found.error().diagnostics) {
             problems.error(place, diagnostic.message, diagnostic.hint, found.error().code);
         }
-        return nullptr;
+        return {};
     }
     std::error_code unknown;
     fs::path real = fs::canonical(*found, unknown);
     if (unknown) real = *found;
     const auto [entry, is_new] = by_file_.try_emplace(std::move(real));
     if (is_new) entry->second = read(*found, place, problems);
-    return entry->second;
+    return {entry->second, *found};
 }
 
 std::shared_ptr<const Mesh> MeshLibrary::read(const fs::path &path, const Place &place, Problems &problems) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -21,21 +22,33 @@ class MeshLibrary {
 public:
     MeshLibrary(AssetPaths paths, const ReadOptions &options) : paths_(std::move(paths)), options_(options) {}
 
-    /// The mesh that a scene calls `name` at `place`; nullptr where it cannot be had. Why is reported at the first use.
-    [[nodiscard]] std::shared_ptr<const Mesh> find(std::string_view name, const Place &place, Problems &problems);
+    /// A mesh, and the file it was found in.
+    struct Found {
+        std::shared_ptr<const Mesh> mesh; ///< nullptr where it cannot be had
+        std::filesystem::path file;
+    };
+
+    /// The mesh that a scene calls `name` at `place`. Why it cannot be had is reported at the first use.
+    [[nodiscard]] Found find(std::string_view name, const Place &place, Problems &problems);
+    /// The same, moved. What moves beyond max_coordinate is reported.
+    [[nodiscard]] Found find(std::string_view name, const Vector &offset, const Place &place, Problems &problems);
 
     [[nodiscard]] const AssetPaths &paths() const { return paths_; }
     /// Every file that was read, in order of first use.
     [[nodiscard]] std::vector<std::filesystem::path> take_files() { return std::move(files_); }
 
 private:
-    [[nodiscard]] std::shared_ptr<const Mesh> look_up(const std::string &name, const Place &place, Problems &problems);
+    [[nodiscard]] Found look_up(const std::string &name, const Place &place, Problems &problems);
     [[nodiscard]] std::shared_ptr<const Mesh> read(const std::filesystem::path &path, const Place &place,
                                                    Problems &problems);
 
     AssetPaths paths_;
     const ReadOptions &options_;
-    std::unordered_map<std::string, std::shared_ptr<const Mesh>> by_name_;
+    /// A mesh of another file's, moved by x y z.
+    using Move = std::tuple<const Mesh *, float, float, float>;
+
+    std::unordered_map<std::string, Found> by_name_;
+    std::map<Move, std::shared_ptr<const Mesh>> moved_;
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> by_file_; ///< keys without symbolic links
     std::vector<std::filesystem::path> files_;
 };

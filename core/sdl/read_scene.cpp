@@ -1,17 +1,17 @@
 // From an SDL file and the meshes it names to a scene.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <new>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include <glint/read.hpp>
 
-#include "scene/camera_check.hpp"
 #include "sdl/arguments.hpp"
+#include "sdl/camera_draft.hpp"
 #include "sdl/detect.hpp"
 #include "sdl/dialects.hpp"
 #include "sdl/directives.hpp"
@@ -43,12 +43,15 @@ public:
     /// The scene; only after a read() that found no problem.
     Result<std::shared_ptr<const Scene>> build() {
         SceneBuilder builder(draft_.options.limits);
-        for (Object &object : draft_.objects) builder.add_object(std::move(object));
-        for (MeshLight &light : draft_.lights) builder.add_light(std::move(light));
-        return builder.set_camera(camera())
+        for (ObjectDraft &entry : draft_.objects) {
+            for (Object &object : entry.parts) builder.add_object(std::move(object));
+        }
+        for (LightDraft &entry : draft_.lights) builder.add_light(std::move(entry.light));
+        return builder.set_camera(*camera_)
             .set_picture(draft_.picture)
             .set_background(draft_.background)
             .set_ambient(draft_.ambient)
+            .set_optics(draft_.optics)
             .build();
     }
 
@@ -69,10 +72,6 @@ private:
                             words(in_quotes(keyword.text), " is a directive of ", owners.names(),
                                   ", and this file is read as ", dialect_name(dialect_.dialect), " (", dialect_.reason,
                                   ")"));
-        }
-        if (!form->handler) {
-            return error_at(line, keyword,
-                            words(in_quotes(keyword.text), " is not supported by this version of Glint"));
         }
         if (line.argument_count < form->least_arguments() || line.argument_count > form->most_arguments()) {
             given_.try_emplace(form->handler, line.number);
@@ -110,7 +109,7 @@ private:
         }
         std::vector<std::string_view> known;
         for (const DirectiveForm &form : directive_forms()) {
-            if (form.handler && form.dialects.has(dialect_.dialect)) known.push_back(form.keyword());
+            if (form.dialects.has(dialect_.dialect)) known.push_back(form.keyword());
         }
         const auto nearest = nearest_word(lower, known);
         error_at(line, keyword, words("unknown directive ", in_quotes(keyword.text)),
@@ -138,33 +137,29 @@ private:
         if (!draft_.eye && !given_.contains(read_eye)) missing("eye");
         if (!has_light_) missing("light");
         if (!has_object_) missing("object");
-        if (draft_.eye) check_camera();
+        camera_ = camera_of(draft_, problems_);
+        apply_settings();
     }
 
-    void check_camera() {
-        const Given<Point> &eye = *draft_.eye;
-        if (eye.value.z == 0.0f) {
-            return problems_.error(eye.place, "the eye lies in the image plane z = 0",
-                                   "rays start at the eye and go through that plane");
+    /// Settings that stand for every light and object, wherever in the file they are.
+    void apply_settings() {
+        const bool adds = draft_.reflection_adds.value_or(adds_reflections(dialect_.dialect));
+        for (ObjectDraft &entry : draft_.objects) {
+            for (Object &object : entry.parts) object.material.adds_to_local = adds && !entry.from_mtl;
         }
-        const Camera whole = camera();
-        const auto is_read = [](const glm::vec3 &v) {
-            return !std::isnan(v.x) && !std::isnan(v.y) && !std::isnan(v.z);
-        };
-        const bool has_area = whole.right.x != 0.0f && whole.down.y != 0.0f;
-        if (!is_read(eye.value) || !is_read(whole.top_left) || !is_read(whole.down) || !has_area)
-            return; // told already
-        if (auto problem = camera_problem(whole)) problems_.error(draft_.window.place, std::move(*problem));
-    }
-
-    [[nodiscard]] Camera camera() const {
-        const Window &window = draft_.window.value;
-        return Camera::through_window(draft_.eye->value, window.x0, window.y0, window.x1, window.y1);
+        for (LightDraft &entry : draft_.lights) {
+            Light &light = entry.light;
+            if (!light.mesh || light.position) continue; // one place to come from
+            light.shadow_rays = draft_.shadow_rays;
+            light.grid_width = draft_.grid_width;
+            light.grid_height = draft_.grid_height;
+        }
     }
 
     const DetectedDialect &dialect_;
     Problems &problems_;
     SceneDraft draft_;
+    std::optional<Camera> camera_;
     std::map<DirectiveHandler, uint32_t> given_; ///< the line where each setting was first given
     bool has_light_ = false;                     ///< whether a line tried to add one
     bool has_object_ = false;

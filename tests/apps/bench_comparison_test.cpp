@@ -205,7 +205,7 @@ TEST_F(FloorRays, a_mesh_fills_four_fifths_of_the_height_or_all_of_the_width) {
     const auto dot = [](const Vector &a, const Vector &b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
     const Vector centre = camera.top_left + (camera.right + camera.down) * 0.5f - camera.eye;
     float widest = 0.0f, highest = 0.0f;
-    for (const Point &position : scene->surface_mesh(0).positions) {
+    for (const Point &position : scene->surface_mesh(0)->positions) {
         const Vector p = position - camera.eye;
         const Vector on_window = p * (dot(centre, centre) / dot(p, centre)) - centre;
         widest = std::max(widest, std::abs(2.0f * dot(on_window, camera.right) / dot(camera.right, camera.right)));

@@ -40,7 +40,7 @@ void expect_color(const Color &actual, const Color &expected) {
 const Material glossy = {{0.5f, 1.0f, 0.25f}, 0.2f, 0.5f, 0.3f, 2.0f, 0.0f, 0.0f};
 
 /// At (3, 0, -6): seen from the wall's middle its direction is (0.6, 0, 0.8).
-MeshLight lamp(Color color = {1.0f, 0.5f, 0.25f}, float intensity = 2.0f) {
+Light lamp(Color color = {1.0f, 0.5f, 0.25f}, float intensity = 2.0f) {
     return {"lamp", square({3, 0, -6}, 0.5f), color, intensity};
 }
 
@@ -54,7 +54,7 @@ TEST(Shading, adds_ambient_diffuse_and_specular_light) {
 
 TEST(Shading, does_not_fall_off_with_distance) {
     SceneBuilder builder;
-    MeshLight far = lamp();
+    Light far = lamp();
     far.mesh = square({3000, 0, 3990}, 0.5f); // the same direction, a thousand times as far
     builder.add_object(wall(glossy)).add_light(far).set_ambient(0.5f);
     expect_color(seen(builder), {0.834f, 0.692f, 0.171f});
@@ -69,7 +69,7 @@ TEST(Shading, adds_up_lights) {
 
 TEST(Shading, ignores_a_light_behind_the_surface) {
     SceneBuilder builder;
-    MeshLight behind = lamp();
+    Light behind = lamp();
     behind.mesh = square({3, 0, -14}, 0.5f);
     builder.add_object(wall(glossy)).add_light(behind).set_ambient(0.5f);
     expect_color(seen(builder), {0.05f, 0.1f, 0.025f});
@@ -101,14 +101,14 @@ TEST(Shadows, do_not_fall_from_what_stands_beyond_the_light_or_beside_it) {
 }
 
 TEST(Shadows, are_not_cast_by_a_light_on_itself_but_by_one_light_on_another) {
-    MeshLight box = lamp();
+    Light box = lamp();
     Mesh closed = moved(cube(), {3, 0, -6}); // its centroid is inside
     box.mesh = std::make_shared<Mesh>(closed);
     SceneBuilder alone;
     alone.add_object(wall(glossy)).add_light(box).set_ambient(0.5f);
     expect_color(seen(alone), {0.834f, 0.692f, 0.171f});
 
-    MeshLight dark = lamp(Color(0.0f));
+    Light dark = lamp(Color(0.0f));
     dark.mesh = square({1.5f, 0, -8}, 0.2f);
     SceneBuilder shadowed;
     shadowed.add_object(wall(glossy)).add_light(box).add_light(dark).set_ambient(0.5f);
@@ -116,7 +116,7 @@ TEST(Shadows, are_not_cast_by_a_light_on_itself_but_by_one_light_on_another) {
 }
 
 TEST(Lights, are_seen_as_their_colour_times_intensity) {
-    MeshLight light = lamp({0.5f, 0.25f, 1.0f}, 3.0f);
+    Light light = lamp({0.5f, 0.25f, 1.0f}, 3.0f);
     light.mesh = square({0, 0, -3}, 1);
     SceneBuilder builder;
     builder.add_object(wall(glossy)).add_light(light).set_ambient(1.0f);

@@ -27,7 +27,7 @@ TEST(SceneBuilder, numbers_objects_before_lights) {
     EXPECT_EQ(s.surface(1).index, 1u);
     EXPECT_TRUE(s.surface(2).is_light);
     EXPECT_EQ(s.surface(2).index, 0u);
-    EXPECT_EQ(s.surface_mesh(0).triangles.size(), 4u);
+    EXPECT_EQ(s.surface_mesh(0)->triangles.size(), 4u);
 }
 
 TEST(SceneBuilder, aims_at_the_area_weighted_centroid_of_a_light) {
@@ -40,9 +40,9 @@ TEST(SceneBuilder, aims_at_the_area_weighted_centroid_of_a_light) {
     builder.add_light({"strip", shared(strip), Color(1.0f), 1.0f});
     const auto scene = builder.build();
     ASSERT_TRUE(scene);
-    EXPECT_NEAR((*scene)->light_centroids()[0].x, 2.0f, 1e-6f);
-    EXPECT_NEAR((*scene)->light_centroids()[0].y, 0.5f, 1e-6f);
-    EXPECT_EQ((*scene)->light_centroids()[0].z, 5.0f);
+    EXPECT_NEAR((*scene)->light_positions()[0].x, 2.0f, 1e-6f);
+    EXPECT_NEAR((*scene)->light_positions()[0].y, 0.5f, 1e-6f);
+    EXPECT_EQ((*scene)->light_positions()[0].z, 5.0f);
 }
 
 TEST(SceneBuilder, leaves_triangles_without_area_out_and_counts_them) {

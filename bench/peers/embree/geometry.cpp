@@ -8,7 +8,7 @@ namespace glint::bench::embree {
 SharedMeshes::SharedMeshes(const Scene &scene) {
     uint32_t first_triangle = 0;
     for (uint32_t s = 0; s < scene.surface_count(); ++s) {
-        const Mesh &mesh = scene.surface_mesh(s);
+        const Mesh &mesh = *scene.surface_mesh(s);
         const SurfaceRef ref = scene.surface(s);
         Surface surface{mesh.positions, &mesh.triangles, first_triangle,
                         ref.is_light ? 2u << std::min(ref.index, 30u) : 1u};

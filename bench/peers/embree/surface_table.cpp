@@ -24,9 +24,9 @@ SurfaceTable::SurfaceTable(const Scene &scene)
         set_row(row++, material.color * (material.ambient * scene.ambient()), material);
     }
     for (size_t i = 0; i < scene.lights().size(); ++i) {
-        const MeshLight &light = scene.lights()[i];
+        const Light &light = scene.lights()[i];
         const Color emission = light.color * light.intensity;
-        const Point &position = scene.light_centroids()[i];
+        const Point &position = scene.light_positions()[i];
         lights_.push_back({position.x, position.y, position.z, emission.x, emission.y, emission.z, ~(2u << i)});
         set_row(row++, emission, dark());
     }

@@ -1,4 +1,4 @@
-// The directives that the SDL dialects share.
+// The directives for the picture: its size, how deep and how finely it is traced, and what becomes of its colours.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -6,6 +6,7 @@
 
 #include "sdl/arguments.hpp"
 #include "sdl/directives.hpp"
+#include "sdl/sample_patterns.hpp"
 #include "sdl/scene_draft.hpp"
 #include "text/words.hpp"
 
@@ -13,22 +14,6 @@ namespace glint {
 
 /// It has spoken before any other line was read (detect.cpp).
 void read_dialect(const Arguments &, SceneDraft &) {}
-
-void read_eye(const Arguments &arguments, SceneDraft &draft) {
-    draft.eye = {arguments.point(0), arguments.place(2)};
-}
-
-void read_ortho(const Arguments &arguments, SceneDraft &draft) {
-    const auto coordinate = [&](size_t i) { return arguments.number(i, -max_coordinate, max_coordinate); };
-    const Window window = {coordinate(0), coordinate(1), coordinate(2), coordinate(3)};
-    if (window.x0 == window.x1) {
-        arguments.error(2, words("the window has no width: x0 and x1 are both ", in_quotes(arguments.word(2))));
-    }
-    if (window.y0 == window.y1) {
-        arguments.error(3, words("the window has no height: y0 and y1 are both ", in_quotes(arguments.word(3))));
-    }
-    draft.window = {window, arguments.keyword_place()};
-}
 
 void read_size(const Arguments &arguments, SceneDraft &draft) {
     const uint64_t width = arguments.whole_number(0, 1), height = arguments.whole_number(1, 1);
@@ -73,27 +58,50 @@ void read_output(const Arguments &arguments, SceneDraft &draft) {
     draft.output_file = std::string(arguments.word(0));
 }
 
-void read_mesh_light(const Arguments &arguments, SceneDraft &draft) {
-    MeshLight light;
-    light.name = std::string(arguments.word(0));
-    light.color = arguments.numbers(1, 0.0f, max_intensity);
-    light.intensity = arguments.number(4, 0.0f, max_intensity);
-    light.mesh = read_mesh(arguments, 0, draft);
-    draft.lights.push_back(std::move(light));
+void read_supersample(const Arguments &arguments, SceneDraft &draft) {
+    draft.picture.samples_per_pixel = arguments.on_or_off(0) ? 4 : 1;
+    draft.picture.pattern = SamplePattern::centre;
 }
 
-std::shared_ptr<const Mesh> read_mesh(const Arguments &arguments, size_t i, SceneDraft &draft) {
-    std::shared_ptr<const Mesh> mesh = draft.meshes.find(arguments.word(i), arguments.place(i), arguments.problems());
-    if (!mesh) return nullptr;
-    const uint64_t limit = std::min(draft.options.limits.max_triangles, uint64_t{1} << 30);
-    const bool was_within = draft.triangle_count <= limit;
-    draft.triangle_count += mesh->triangles.size();
-    if (was_within && draft.triangle_count > limit) {
-        arguments.error(
-            i, words("with this mesh the scene has ", draft.triangle_count, " triangles, the limit is ", limit), {},
-            ErrorCode::limit_exceeded);
+void read_samples(const Arguments &arguments, SceneDraft &draft) {
+    draft.picture.samples_per_pixel = static_cast<uint32_t>(arguments.whole_number_in(0, 1, max_samples));
+    if (arguments.count() < 2) return;
+    const auto pattern = sample_pattern_named(arguments.word(1));
+    if (!pattern) {
+        return arguments.error(1, words("there is no pattern ", in_quotes(arguments.word(1))),
+                               "the patterns are centre, stratified and jittered");
     }
-    return mesh;
+    draft.picture.pattern = *pattern;
+}
+
+void read_npaths(const Arguments &arguments, SceneDraft &draft) {
+    draft.picture.paths_per_pixel =
+        static_cast<uint32_t>(arguments.whole_number_in(0, 0, std::numeric_limits<uint32_t>::max()));
+    if (draft.picture.paths_per_pixel <= 1) return;
+    arguments.problems().warn(arguments.keyword_place(),
+                              "'npaths' asks for a path tracer; Glint's rays are Whitted's, and it has no effect",
+                              "'samples n' or --spp smooths edges");
+}
+
+void read_tonemapping(const Arguments &arguments, SceneDraft &draft) {
+    draft.picture.tone_scale = arguments.number(0, 0.0f, max_intensity);
+}
+
+void read_seed(const Arguments &arguments, SceneDraft &draft) {
+    draft.picture.seed =
+        static_cast<uint32_t>(arguments.whole_number_in(0, 0, std::numeric_limits<uint32_t>::max()));
+}
+
+void read_reflection_adds(const Arguments &arguments, SceneDraft &draft) {
+    draft.reflection_adds = arguments.on_or_off(0);
+}
+
+void read_fresnel(const Arguments &arguments, SceneDraft &draft) {
+    draft.optics.fresnel = arguments.on_or_off(0);
+}
+
+void read_shadows_through_glass(const Arguments &arguments, SceneDraft &draft) {
+    draft.optics.shadows_through_glass = arguments.on_or_off(0);
 }
 
 } // namespace glint
