@@ -62,6 +62,7 @@ std::shared_ptr<const Accel> Accel::build(std::shared_ptr<const Scene> scene, co
     } else {
         impl->tree = build_kd_tree(triangles.corners, threads);
     }
+    impl->quadrics = QuadricTree::from(*impl->scene);
     impl->surfaces = std::move(triangles.surfaces);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
@@ -71,7 +72,8 @@ std::shared_ptr<const Accel> Accel::build(std::shared_ptr<const Scene> scene, co
     impl->statistics.bytes =
         impl->tree.nodes.size() * sizeof(KdNode) + impl->tree.leaf_words.size() * sizeof(uint32_t) +
         impl->bvh.nodes.size() * sizeof(WideNode) + impl->bvh.leaf_words.size() * sizeof(uint32_t) +
-        impl->surfaces.size() * sizeof(TriangleSurface);
+        impl->surfaces.size() * sizeof(TriangleSurface) + impl->quadrics.nodes.size() * sizeof(QuadricNode) +
+        impl->quadrics.quadrics.size() * sizeof(PlacedQuadric);
     return std::shared_ptr<const Accel>(new Accel(std::move(impl)));
 }
 

@@ -7,6 +7,7 @@
 
 #include "accel/bvh/wide_bvh.hpp"
 #include "accel/kd_tree.hpp"
+#include "accel/quadric_tree.hpp"
 #include "accel/triangle_data.hpp"
 
 namespace glint {
@@ -16,7 +17,8 @@ struct Accel::Impl {
     AccelKind kind = AccelKind::kdtree;            ///< not automatic
     KdTree tree;                                   ///< a single leaf for AccelKind::brute; empty for AccelKind::bvh
     WideBvh bvh;                                   ///< empty for the other kinds
-    UninitializedVector<TriangleSurface> surfaces; ///< by triangle_id
+    QuadricTree quadrics;
+    UninitializedVector<TriangleSurface> surfaces; ///< by triangle_id, then of the quadrics, without normals
     AccelStatistics statistics;
 };
 

@@ -12,7 +12,7 @@ TriangleData TriangleData::from(const Scene &scene, unsigned threads) {
     constexpr size_t piece_size = 16384;
     TriangleData data;
     data.corners.resize(scene.triangle_count());
-    data.surfaces.resize(scene.triangle_count());
+    data.surfaces.resize(scene.triangle_count() + scene.quadric_surfaces().size());
     size_t first_id = 0;
     for (uint32_t s = 0; s < scene.surface_count(); ++s) {
         const Mesh *const of_surface = scene.surface_mesh(s);
@@ -29,6 +29,7 @@ TriangleData TriangleData::from(const Scene &scene, unsigned threads) {
         });
         first_id += mesh.triangles.size();
     }
+    for (const uint32_t s : scene.quadric_surfaces()) data.surfaces[first_id++] = {glm::vec3(0.0f), s};
     return data;
 }
 

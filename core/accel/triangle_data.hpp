@@ -34,7 +34,7 @@ static_assert(sizeof(TriangleSurface) == 16);
 /// Both arrays are indexed by triangle_id.
 struct TriangleData {
     UninitializedVector<TriangleCorners> corners;
-    UninitializedVector<TriangleSurface> surfaces;
+    UninitializedVector<TriangleSurface> surfaces; ///< those of the scene's quadrics, without normals, come last
 
     /// Of all triangles of the scene, made by so many threads.
     [[nodiscard]] static TriangleData from(const Scene &scene, unsigned threads = 1);

@@ -7,7 +7,9 @@
 
 #include "accel/bvh/wide_bvh.hpp"
 #include "accel/kd_tree.hpp"
+#include "kernel/clip.hpp"
 #include "kernel/intersect.hpp"
+#include "kernel/quadric.hpp"
 
 namespace glint {
 
@@ -18,37 +20,14 @@ struct GeometryView {
     const uint32_t *leaf_words;      ///< see leaf_triangles.hpp
     const TriangleSurface *surfaces; ///< by triangle_id
     uint32_t triangle_count;
-    Box bounds;
+    QuadricView quadrics;
+    Box bounds; ///< of all that has bounds
 };
 
 struct Hit {
     float t;
     uint32_t triangle_id; ///< no_triangle where nothing was hit
 };
-
-/// The part of a ray, as [t_near, t_far], that lies in a box or within the ray's slack of it; empty where t_near >
-/// t_far.
-struct Interval {
-    float t_near, t_far;
-};
-
-/// Where a hit at t counts, the search goes as far as this: the hit's own place may be a little farther.
-inline float search_end(float t) {
-    return t + distance_error * t;
-}
-
-inline Interval clip_to_box(const PreparedRay &ray, const Box &box, float t_max) {
-    Interval part{0.0f, search_end(t_max)};
-    for (int axis = 0; axis < 3; ++axis) {
-        const float t_lo = (box.lo[axis] - ray.org[axis]) * ray.inverse_dir[axis];
-        const float t_hi = (box.hi[axis] - ray.org[axis]) * ray.inverse_dir[axis];
-        const float enter = (t_lo < t_hi ? t_lo : t_hi) - ray.parameter_slack[axis];
-        const float leave = (t_lo < t_hi ? t_hi : t_lo) + ray.parameter_slack[axis];
-        if (enter > part.t_near) part.t_near = enter;
-        if (leave < part.t_far) part.t_far = leave;
-    }
-    return part;
-}
 
 /// Calls visit(leaf) for every leaf that the given part of the ray may reach before search_end(t_max), near leaves
 /// first, until a call returns true. `visit` may lower t_max. Leaves within the ray's slack are visited too.
@@ -134,6 +113,7 @@ void walk_bvh(const GeometryView &geometry, const PreparedRay &ray, const float 
 /// Calls visit(leaf) for every leaf that the ray may reach, in either structure.
 template <typename Visit>
 void walk(const GeometryView &geometry, const PreparedRay &ray, Interval part, const float &t_max, Visit &&visit) {
+    if (geometry.triangle_count == 0) return;
     if (geometry.wide_nodes) {
         walk_bvh(geometry, ray, t_max, visit);
     } else {
@@ -141,36 +121,71 @@ void walk(const GeometryView &geometry, const PreparedRay &ray, Interval part, c
     }
 }
 
-/// The nearest triangle with 0 < t <= t_max; of several at the same t, the one with the lowest id. A flat triangle
-/// never meets a ray that leaves it, so `left_triangle` (or no_triangle) is passed over.
+/// The nearest triangle or quadric with 0 < t <= t_max; of several at the same t, the one with the lowest id. A flat
+/// triangle never meets a ray that leaves it, so `left_triangle` (or no_triangle) is passed over; a quadric may, on its
+/// other side.
 inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max,
                        uint32_t left_triangle = no_triangle) {
     Hit best{t_max, no_triangle};
     const Interval part = clip_to_box(ray, geometry.bounds, t_max);
+    const auto consider = [&](float t, uint32_t id) {
+        if (t > 0.0f && (t < best.t || (t == best.t && id < best.triangle_id))) best = {t, id};
+    };
     walk(geometry, ray, part, best.t, [&](const LeafTriangles &leaf) {
         for (uint32_t i = 0; i < leaf.count(); ++i) {
             const uint32_t id = leaf.triangle_id(i);
-            if (id == left_triangle) continue;
-            const float t = intersect(ray, leaf.corners(i));
-            if (t > 0.0f && (t < best.t || (t == best.t && id < best.triangle_id))) best = {t, id};
+            if (id != left_triangle) consider(intersect(ray, leaf.corners(i)), id);
         }
+        return false;
+    });
+    walk_quadrics(geometry.quadrics, ray, best.t, [&](const PlacedQuadric &quadric) {
+        consider(quadric_distance(quadric, ray), quadric.id);
         return false;
     });
     return best;
 }
 
-/// Whether any triangle that can_block(triangle_id) allows is met at 0 < t < t_max. Meant for shadow rays, which begin
+/// The nearest hit behind another one at t <= t_max, by the same order: farther or, at the same t, with a greater id. Of
+/// what can_block(id) allows.
+template <typename CanBlock>
+Hit next_hit(const GeometryView &geometry, const PreparedRay &ray, const Hit &last, float t_max, CanBlock &&can_block) {
+    Hit best{t_max, no_triangle};
+    const auto consider = [&](float t, uint32_t id) {
+        const bool is_behind = t > last.t || (t == last.t && last.triangle_id != no_triangle && id > last.triangle_id);
+        if (is_behind && t > 0.0f && (t < best.t || (t == best.t && id < best.triangle_id))) best = {t, id};
+    };
+    walk(geometry, ray, {0.0f, search_end(t_max)}, best.t, [&](const LeafTriangles &leaf) {
+        for (uint32_t i = 0; i < leaf.count(); ++i) {
+            const uint32_t id = leaf.triangle_id(i);
+            if (can_block(id)) consider(intersect(ray, leaf.corners(i)), id);
+        }
+        return false;
+    });
+    walk_quadrics(geometry.quadrics, ray, best.t, [&](const PlacedQuadric &quadric) {
+        if (can_block(quadric.id)) consider(quadric_distance(quadric, ray, last.t), quadric.id);
+        return false;
+    });
+    return best;
+}
+
+/// Whether any triangle or quadric that can_block(id) allows is met at 0 < t < t_max. Meant for shadow rays, which begin
 /// and end within the scene and so need not be clipped to it.
 template <typename CanBlock>
 bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, CanBlock &&can_block) {
     bool blocked = false;
+    const auto consider = [&](float t) {
+        blocked = t > 0.0f && t < t_max;
+        return blocked;
+    };
     walk(geometry, ray, {0.0f, search_end(t_max)}, t_max, [&](const LeafTriangles &leaf) {
         for (uint32_t i = 0; i < leaf.count() && !blocked; ++i) {
-            if (!can_block(leaf.triangle_id(i))) continue;
-            const float t = intersect(ray, leaf.corners(i));
-            blocked = t > 0.0f && t < t_max;
+            if (can_block(leaf.triangle_id(i))) consider(intersect(ray, leaf.corners(i)));
         }
         return blocked;
+    });
+    if (blocked) return true;
+    walk_quadrics(geometry.quadrics, ray, t_max, [&](const PlacedQuadric &quadric) {
+        return can_block(quadric.id) && consider(quadric_distance(quadric, ray));
     });
     return blocked;
 }

@@ -6,6 +6,7 @@
 
 #include "kernel/kernel.hpp"
 #include "render/aligned_memory.hpp"
+#include "render/eye_media.hpp"
 #include "render/shading_tables.hpp"
 #include "render/tiling.hpp"
 #include "scene/camera_check.hpp"
@@ -76,6 +77,16 @@ Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptio
     frame.max_depth = options.max_depth.value_or(scene.picture().max_depth);
     frame.rgba8 = target.rgba8();
     frame.radiance = target.radiance();
+    const PictureSettings &picture = scene.picture();
+    const uint32_t samples = options.samples_per_pixel.value_or(picture.samples_per_pixel);
+    if (samples < 1 || samples > max_samples) {
+        return Error(ErrorCode::bad_input, "a picture of " + std::to_string(samples) + " samples a pixel, expected 1 to " +
+                                               std::to_string(max_samples));
+    }
+    frame.samples = sample_grid(samples, options.pattern.value_or(picture.pattern), picture.seed);
+    frame.tone_scale = picture.tone_scale;
+    frame.to_srgb = options.transfer == Transfer::srgb;
+    if (kernel_scene.has_refraction) frame.eye_media = media_around(scene, frame.camera.eye);
 
     const Tiling tiling(frame.width_px, frame.height_px);
     RenderControl uncontrolled;

@@ -6,6 +6,7 @@
 #include <glint/accel.hpp>
 
 #include "kernel/kernel.hpp"
+#include "render/light_tables.hpp"
 
 namespace glint {
 
@@ -18,9 +19,12 @@ public:
     [[nodiscard]] KernelScene kernel_scene() const;
 
 private:
+    void add_object(const Object &object, uint32_t first_triangle);
+
     const Accel &accel_;
     std::vector<SurfaceShading> surfaces_;
-    std::vector<LightShading> lights_;
+    std::vector<std::vector<TriangleDetail>> details_;
+    LightTables lights_;
 };
 
 } // namespace glint

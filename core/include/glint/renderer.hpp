@@ -19,11 +19,21 @@ struct RendererOptions {
     Isa isa = best_isa(); ///< one of available_isas(); any other counts as Isa::scalar
 };
 
+/// How the picture's linear colours become bytes.
+enum class Transfer : uint8_t {
+    linear, ///< round(255 c), as SDL's programs did
+    srgb,   ///< by sRGB's transfer curve, as displays and other files expect
+};
+
 struct RenderOptions {
     /// Recursive rays in a row after the primary ray; unset = what the scene asks for.
     std::optional<uint32_t> max_depth;
     /// Unset = the scene's own camera.
     std::optional<Camera> camera;
+    /// Samples a pixel, 1 to max_samples, and where they lie; unset = what the scene asks for.
+    std::optional<uint32_t> samples_per_pixel = std::nullopt;
+    std::optional<SamplePattern> pattern = std::nullopt;
+    Transfer transfer = Transfer::linear;
 };
 
 /// Shared by a render in progress and whoever watches it, from any thread. Progress may be read and cancel() called at

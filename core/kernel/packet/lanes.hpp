@@ -135,6 +135,9 @@ HWY_INLINE Points scaled(const Points &p, Floats s) {
 HWY_INLINE Points sum(const Points &a, const Points &b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
+HWY_INLINE Points product(const Points &a, const Points &b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
 HWY_INLINE Points difference(const Points &a, const Points &b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }

@@ -11,7 +11,9 @@ struct RayLevel {
     RayGroup rays;
     alignas(64) float weight[group_size];
     alignas(64) uint32_t left_surface[group_size]; ///< of the triangle that a ray leaves
+    alignas(64) uint32_t media[Media::most][group_size]; ///< that the rays run in, where the scene has refraction
     RaySelection selection;
+    bool is_even; ///< of primary rays: they go through the same place of each pixel
     uint32_t depth; ///< recursive rays before these, themselves included
 };
 
@@ -23,7 +25,7 @@ HWY_INLINE void trace_level(const GeometryView &geometry, RayLevel &level, BeamH
     const TraceQuestion question{geometry};
     if (level.depth == 0) {
         trace<true, false>(question, level.rays, level.selection, beams.primary,
-                           {.is_full_tile = level.selection.count() == group_size});
+                           {.is_full_tile = level.is_even && level.selection.count() == group_size});
         return;
     }
     RaySelection waiting = level.selection;

@@ -2,7 +2,8 @@
 // operation by operation; read that first.
 #pragma once
 
-#include "kernel/packet/surface_lanes.hpp"
+#include "kernel/packet/refraction.hpp"
+#include "kernel/packet/surface_normals.hpp"
 #include "kernel/packet/tile_work.hpp"
 
 namespace glint::HWY_NAMESPACE {
@@ -57,10 +58,20 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
         const Points way = scaled(dir, hn::Load(floats, level.rays.t + ray));
         const Points position = sum(level.depth == 0 ? shared_origin : level.rays.org(ray), way);
         const Floats scale = hn::Max(hn::Max(max_abs(position), max_abs(way)), splat(scene.offset_floor));
-        const Points n = normals_of(scene, triangles);
+        Points n = normals_of(scene, triangles);
+        if (HWY_UNLIKELY(scene.geometry.quadrics.count != 0)) {
+            n = with_quadric_normals(scene, triangles, position, dir, n);
+        }
         const FloatMask behind = hn::Gt(dot(n, dir), hn::Zero(floats));
-        const Points normal = {hn::IfThenElse(behind, hn::Neg(n.x), n.x), hn::IfThenElse(behind, hn::Neg(n.y), n.y),
-                               hn::IfThenElse(behind, hn::Neg(n.z), n.z)};
+        const Points facet = {hn::IfThenElse(behind, hn::Neg(n.x), n.x), hn::IfThenElse(behind, hn::Neg(n.y), n.y),
+                              hn::IfThenElse(behind, hn::Neg(n.z), n.z)};
+        const Uints surface = numbers.numbers();
+        hn::Store(surface, uints, points.surface + ray);
+        Points normal = facet;
+        if (HWY_UNLIKELY(scene.has_details)) {
+            normal = add_details(scene, level.rays.triangle_id + ray, points.surface + ray, ray, hit, position, dir,
+                                 facet, points);
+        }
         hn::Store(position.x, floats, points.x + ray);
         hn::Store(position.y, floats, points.y + ray);
         hn::Store(position.z, floats, points.z + ray);
@@ -68,18 +79,36 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
         hn::Store(normal.y, floats, points.normal_y + ray);
         hn::Store(normal.z, floats, points.normal_z + ray);
         hn::Store(scale, floats, points.scale + ray);
-        const Uints surface = numbers.numbers();
-        hn::Store(surface, uints, points.surface + ray);
 
         Floats share = splat(1.0f);
         if (deeper) {
             Floats reflection = surfaces.number(&SurfaceShading::reflection);
             Floats transmission = surfaces.number(&SurfaceShading::transmission);
             const Floats zero = hn::Zero(floats), least = splat(least_branch_weight);
+            Points dir_through = dir;
+            if (HWY_UNLIKELY(scene.has_refraction)) {
+                const uint32_t crossing = bits_of(hn::Gt(transmission, zero)) & hit;
+                MediaLanes media = media_at(level, ray);
+                set_media(next, ray, media);
+                if (crossing != 0) {
+                    const RefractedLanes refracted = refract(scene, media, surface, dir, normal, crossing);
+                    const FloatMask crosses = mask_of(crossing);
+                    const Floats turned = transmission * refracted.reflection;
+                    reflection = hn::IfThenElse(crosses, reflection + turned, reflection);
+                    transmission = hn::IfThenElse(crosses, transmission - turned, transmission);
+                    dir_through = either(crosses, refracted.dir, dir);
+                    set_media(branch, ray, refracted.media);
+                }
+            }
             const FloatMask both = hn::And(hn::Gt(reflection, zero), hn::Gt(transmission, zero));
             reflection = hn::IfThenElse(hn::And(both, hn::Lt(weight * reflection, least)), zero, reflection);
             transmission = hn::IfThenElse(hn::And(both, hn::Lt(weight * transmission, least)), zero, transmission);
-            share = (splat(1.0f) - reflection) - transmission;
+            if (HWY_UNLIKELY(scene.has_additions)) {
+                const Floats replaced = surfaces.number(&SurfaceShading::replaced);
+                share = (splat(1.0f) - replaced * reflection) - replaced * transmission;
+            } else {
+                share = (splat(1.0f) - reflection) - transmission;
+            }
             const uint32_t mirrored = bits_of(hn::Gt(reflection, zero)) & hit;
             const uint32_t transmitted = bits_of(hn::Gt(transmission, zero)) & hit;
             const auto go_on = [&](RayLevel &to, uint32_t bits, const Points &org, const Points &direction,
@@ -94,23 +123,28 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
                 to.selection.add(ray, bits);
                 going_on += static_cast<uint32_t>(__builtin_popcount(bits));
             };
-            const auto through = [&] { return offset_point(position, normal, hn::Neg(scale)); };
+            const auto through = [&] { return offset_point(position, facet, hn::Neg(scale)); };
+            // Those that go through alone go on in the media behind the surface.
+            if (HWY_UNLIKELY(scene.has_refraction) && (transmitted & ~mirrored) != 0) {
+                const FloatMask goes_through = mask_of(transmitted & ~mirrored);
+                set_media(next, ray, either(goes_through, media_at(branch, ray), media_at(next, ray)));
+            }
             if (mirrored != 0) {
                 const Floats twice_n_d = splat(2.0f) * dot(normal, dir);
                 Points next_dir = normalized(difference(dir, scaled(normal, twice_n_d)));
-                Points next_org = offset_point(position, normal, scale);
+                Points next_org = offset_point(position, facet, scale);
                 Floats share_of_next = reflection;
                 if (transmitted != 0) {
                     const uint32_t branching = mirrored & transmitted;
-                    if (branching != 0) go_on(branch, branching, through(), dir, weight * transmission);
+                    if (branching != 0) go_on(branch, branching, through(), dir_through, weight * transmission);
                     const FloatMask goes_through = mask_of(transmitted & ~mirrored);
-                    next_dir = either(goes_through, dir, next_dir);
+                    next_dir = either(goes_through, dir_through, next_dir);
                     next_org = either(goes_through, through(), next_org);
                     share_of_next = hn::IfThenElse(goes_through, transmission, reflection);
                 }
                 go_on(next, mirrored | transmitted, next_org, next_dir, weight * share_of_next);
             } else if (transmitted != 0) {
-                go_on(next, transmitted, through(), dir, weight * transmission);
+                go_on(next, transmitted, through(), dir_through, weight * transmission);
             }
         }
         hn::Store(weight * share, floats, points.weight + ray);

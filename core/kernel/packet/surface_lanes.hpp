@@ -43,6 +43,10 @@ public:
         for (uint32_t i = 1; i < count_; ++i) result = hn::IfThenElse(lanes_[i], splat(value(number_[i])), result);
         return result;
     }
+    /// Calls visit(number, lanes) for each different number.
+    template <typename Visit> HWY_INLINE void for_each(Visit &&visit) const {
+        for (uint32_t i = 0; i < count_; ++i) visit(number_[i], lanes_[i]);
+    }
     [[nodiscard]] HWY_INLINE Uints numbers() const {
         return hn::BitCast(uints, floats_of([](uint32_t number) { return __builtin_bit_cast(float, number); }));
     }

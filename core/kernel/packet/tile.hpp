@@ -36,36 +36,93 @@ template <typename Visit> HWY_INLINE void for_each_place(const Tile &tile, Visit
     }
 }
 
-/// The rays through the centres of a tile's pixels.
-HWY_INLINE void make_primary_rays(const KernelFrame &frame, const Tile &tile, RayLevel &level) {
-    const Camera &camera = frame.camera;
-    const Floats inverse_width = splat(1.0f / static_cast<float>(frame.width_px));
-    const Floats inverse_height = splat(1.0f / static_cast<float>(frame.height_px));
-    const Points to_corner = {splat(camera.top_left.x - camera.eye.x), splat(camera.top_left.y - camera.eye.y),
-                              splat(camera.top_left.z - camera.eye.z)};
-    const Points right = points_of(camera.right), down = points_of(camera.down);
-    // What depends on the column alone, and on the row.
-    Points from_corner[4], from_edge[block_size / lane_count * 4];
+/// Directions from the eye to places in the pixels.
+class PrimaryDirections {
+public:
+    HWY_INLINE explicit PrimaryDirections(const KernelFrame &frame)
+        : inverse_width_(splat(1.0f / static_cast<float>(frame.width_px))),
+          inverse_height_(splat(1.0f / static_cast<float>(frame.height_px))),
+          to_corner_{splat(frame.camera.top_left.x - frame.camera.eye.x),
+                     splat(frame.camera.top_left.y - frame.camera.eye.y),
+                     splat(frame.camera.top_left.z - frame.camera.eye.z)},
+          right_(points_of(frame.camera.right)), down_(points_of(frame.camera.down)) {}
+
+    /// What depends on the column alone, and on the row; their sum is the direction.
+    [[nodiscard]] HWY_INLINE Points column(Floats x) const {
+        return sum(to_corner_, scaled(right_, x * inverse_width_));
+    }
+    [[nodiscard]] HWY_INLINE Points row(Floats y) const { return scaled(down_, y * inverse_height_); }
+
+private:
+    Floats inverse_width_, inverse_height_;
+    Points to_corner_, right_, down_;
+};
+
+HWY_INLINE void start_ray(uint32_t ray, uint32_t inside, const Points &direction, RayLevel &level) {
+    level.rays.set_dir(ray, normalized(direction));
+    level.selection.add(ray, inside);
+    hn::Store(splat(__FLT_MAX__), floats, level.rays.t + ray);
+    hn::Store(hn::Set(uints, no_triangle), uints, level.rays.triangle_id + ray);
+    hn::Store(hn::Set(uints, no_triangle), uints, level.rays.left + ray);
+    hn::Store(splat(1.0f), floats, level.weight + ray);
+}
+
+/// The rays through one and the same place, told in pixels, of each of a tile's pixels.
+HWY_INLINE void make_even_rays(const KernelFrame &frame, const Tile &tile, const float place[2], RayLevel &level) {
+    const PrimaryDirections directions(frame);
+    Points columns[4], rows[block_size / lane_count * 4];
     for (uint32_t column = 0; column < 4; ++column) {
         const Floats x = splat(static_cast<float>(tile.x0 + 4 * column)) + hn::Load(floats, lane_x);
-        from_corner[column] = sum(to_corner, scaled(right, (x + splat(0.5f)) * inverse_width));
+        columns[column] = directions.column(x + splat(place[0]));
     }
     constexpr uint32_t rows_of_lanes = lane_count / 4;
     for (uint32_t row = 0; row < 16; row += rows_of_lanes) {
         const Floats y = splat(static_cast<float>(tile.y0 + row)) + hn::Load(floats, lane_y);
-        from_edge[row / rows_of_lanes] = scaled(down, (y + splat(0.5f)) * inverse_height);
+        rows[row / rows_of_lanes] = directions.row(y + splat(place[1]));
     }
+    for_each_place(tile, [&](uint32_t ray, PixelPlace first, uint32_t inside) {
+        start_ray(ray, inside, sum(columns[first.x / 4], rows[first.y / rows_of_lanes]), level);
+    });
+}
+
+/// The rays through places at random in the pixels.
+HWY_NOINLINE void make_scattered_rays(const KernelFrame &frame, const Tile &tile, uint32_t sample, RayLevel &level) {
+    const PrimaryDirections directions(frame);
+    for_each_place(tile, [&](uint32_t ray, PixelPlace first, uint32_t inside) {
+        alignas(64) float x[lane_count], y[lane_count];
+        for (uint32_t lane = 0; lane < lane_count; ++lane) {
+            const uint32_t column = tile.x0 + first.x + lane % 4, row = tile.y0 + first.y + lane / 4;
+            float place[2];
+            one_lane::sample(frame.samples, column, row, sample, place);
+            x[lane] = static_cast<float>(column) + place[0];
+            y[lane] = static_cast<float>(row) + place[1];
+        }
+        const Points direction = sum(directions.column(hn::Load(floats, x)), directions.row(hn::Load(floats, y)));
+        start_ray(ray, inside, direction, level);
+    });
+}
+
+/// The rays through a sample of each of a tile's pixels.
+HWY_INLINE void make_primary_rays(const KernelFrame &frame, const Tile &tile, uint32_t sample, RayLevel &level) {
     level.selection.clear();
     level.depth = 0;
-    level.rays.shared_origin = {camera.eye.x, camera.eye.y, camera.eye.z};
-    for_each_place(tile, [&](uint32_t ray, PixelPlace first, uint32_t inside) {
-        level.rays.set_dir(ray, normalized(sum(from_corner[first.x / 4], from_edge[first.y / rows_of_lanes])));
-        level.selection.add(ray, inside);
-        hn::Store(splat(__FLT_MAX__), floats, level.rays.t + ray);
-        hn::Store(hn::Set(uints, no_triangle), uints, level.rays.triangle_id + ray);
-        hn::Store(hn::Set(uints, no_triangle), uints, level.rays.left + ray);
-        hn::Store(splat(1.0f), floats, level.weight + ray);
-    });
+    level.rays.shared_origin = {frame.camera.eye.x, frame.camera.eye.y, frame.camera.eye.z};
+    level.is_even = frame.samples.pattern == SamplePattern::centre;
+    if (level.is_even) {
+        float place[2];
+        one_lane::sample(frame.samples, 0, 0, sample, place);
+        make_even_rays(frame, tile, place, level);
+    } else {
+        make_scattered_rays(frame, tile, sample, level);
+    }
+}
+
+/// The eye's media, for all rays.
+HWY_NOINLINE void set_eye_media(const KernelFrame &frame, RayLevel &level) {
+    for (int i = 0; i < Media::most; ++i) {
+        const Uints medium = hn::Set(uints, frame.eye_media.inside[i]);
+        for (uint32_t ray = 0; ray < group_size; ray += lane_count) hn::Store(medium, uints, level.media[i] + ray);
+    }
 }
 
 /// resolve_channel() of image/resolve.hpp for every lane, in the lowest eight bits of a number whose others are those
@@ -80,8 +137,30 @@ HWY_INLINE Uints resolve_channels(Floats c) {
     return hn::BitCast(uints, shifted + hn::IfThenElseZero(was_half, splat(1.0f)));
 }
 
+/// displayed() of image/tone_curve.hpp for every lane.
+HWY_INLINE Floats displayed(const KernelFrame &frame, Floats c) {
+    const Floats zero = hn::Zero(floats), one = splat(1.0f);
+    if (frame.tone_scale > 0.0f) {
+        const Floats most = splat(1e30f);
+        const Floats finite = hn::IfThenElse(hn::Lt(c, most), c, most);
+        c = hn::IfThenElseZero(hn::Gt(c, zero), finite / (finite + splat(frame.tone_scale)));
+    }
+    if (frame.to_srgb) {
+        const Floats clamped = hn::IfThenElseZero(hn::Gt(c, zero), hn::IfThenElse(hn::Lt(c, one), c, one));
+        const Floats curved = splat(1.055f) * pow_unit(clamped, splat(1.0f / 2.4f)) - splat(0.055f);
+        c = hn::IfThenElse(hn::Le(clamped, splat(0.0031308f)), splat(12.92f) * clamped, curved);
+    }
+    return c;
+}
+HWY_NOINLINE Points displayed(const KernelFrame &frame, const Points &color) {
+    return {displayed(frame, color.x), displayed(frame, color.y), displayed(frame, color.z)};
+}
+
 /// Writes the tile's pixels.
 HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const TileColors &colors) {
+    const uint32_t sample_count = frame.samples.columns * frame.samples.rows;
+    const bool averages = sample_count > 1, is_curved = frame.tone_scale > 0.0f || frame.to_srgb;
+    const float sample_share = 1.0f / static_cast<float>(sample_count);
     const size_t first_pixel = size_t{tile.y0} * frame.width_px + tile.x0;
     const auto for_each_row = [&](PixelPlace first, uint32_t inside, auto &&copy) {
         size_t pixel = first_pixel + size_t{first.y} * frame.width_px + first.x;
@@ -90,10 +169,11 @@ HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const T
         }
     };
     for_each_place(tile, [&](uint32_t ray, PixelPlace first, uint32_t inside) {
-        const Points color = colors.at(ray);
+        const Points color = averages ? scaled(colors.at(ray), splat(sample_share)) : colors.at(ray);
+        const Points shown = is_curved ? displayed(frame, color) : color;
         // The shifts push the bits of 2^23 out.
-        const Uints rgba = hn::Xor(hn::Xor(resolve_channels(color.x), hn::ShiftLeft<8>(resolve_channels(color.y))),
-                                   hn::Xor(hn::ShiftLeft<16>(resolve_channels(color.z)), hn::Set(uints, 0xb4000000u)));
+        const Uints rgba = hn::Xor(hn::Xor(resolve_channels(shown.x), hn::ShiftLeft<8>(resolve_channels(shown.y))),
+                                   hn::Xor(hn::ShiftLeft<16>(resolve_channels(shown.z)), hn::Set(uints, 0xb4000000u)));
         alignas(64) uint32_t bytes[lane_count];
         hn::Store(rgba, uints, bytes);
         if (inside == all_lanes) {
@@ -121,21 +201,15 @@ HWY_INLINE size_t scratch_bytes(const KernelScene &scene, const KernelFrame &fra
     return sizeof(TileWork) + (waiting + 1) * sizeof(RayLevel);
 }
 
-HWY_INLINE void render_tile(const KernelScene &scene, const KernelFrame &frame, Tile tile, KernelScratch &scratch) {
-    TileWork &work = *reinterpret_cast<TileWork *>(scratch.memory);
-    RayLevel *const waiting = reinterpret_cast<RayLevel *>(scratch.memory + sizeof(TileWork));
+/// Follows a level of rays to the end, and all that come of it.
+HWY_INLINE void follow(const KernelScene &scene, const KernelFrame &frame, TileWork &work, RayLevel *waiting,
+                       RayCounts &rays) {
     uint32_t waiting_count = 0;
-    work.beams = &scratch.beams;
-    work.level = &work.levels[0];
-    work.next = &work.levels[1];
-    make_primary_rays(frame, tile, *work.level);
-    scratch.rays.primary += work.level->selection.count();
-    work.colors.clear();
     while (true) {
         trace_level(scene.geometry, *work.level, *work.beams);
         RayLevel &branch = waiting[waiting_count];
-        scratch.rays.secondary += reach_surfaces(scene, frame.max_depth, work, branch);
-        scratch.rays.shadow += add_local_colors(scene, work);
+        rays.secondary += reach_surfaces(scene, frame.max_depth, work, branch);
+        rays.shadow += add_local_colors(scene, work);
         if (!branch.selection.empty()) ++waiting_count;
         if (!work.next->selection.empty()) {
             RayLevel *const done = work.level;
@@ -144,8 +218,24 @@ HWY_INLINE void render_tile(const KernelScene &scene, const KernelFrame &frame, 
         } else if (waiting_count > 0) {
             __builtin_memcpy(work.level, &waiting[--waiting_count], sizeof(RayLevel));
         } else {
-            break;
+            return;
         }
+    }
+}
+
+HWY_INLINE void render_tile(const KernelScene &scene, const KernelFrame &frame, Tile tile, KernelScratch &scratch) {
+    TileWork &work = *reinterpret_cast<TileWork *>(scratch.memory);
+    RayLevel *const waiting = reinterpret_cast<RayLevel *>(scratch.memory + sizeof(TileWork));
+    work.beams = &scratch.beams;
+    work.level = &work.levels[0];
+    work.next = &work.levels[1];
+    work.colors.clear();
+    const uint32_t sample_count = frame.samples.columns * frame.samples.rows;
+    for (uint32_t sample = 0; sample < sample_count; ++sample) {
+        make_primary_rays(frame, tile, sample, *work.level);
+        if (HWY_UNLIKELY(scene.has_refraction)) set_eye_media(frame, *work.level);
+        scratch.rays.primary += work.level->selection.count();
+        follow(scene, frame, work, waiting, scratch.rays);
     }
     resolve_tile(frame, tile, work.colors);
 }

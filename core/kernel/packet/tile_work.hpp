@@ -5,6 +5,20 @@
 
 namespace glint::HWY_NAMESPACE {
 
+/// Three numbers for each ray of a group.
+struct alignas(64) PointRows {
+    float x[group_size], y[group_size], z[group_size];
+
+    [[nodiscard]] HWY_INLINE Points at(uint32_t ray) const {
+        return {hn::Load(floats, x + ray), hn::Load(floats, y + ray), hn::Load(floats, z + ray)};
+    }
+    HWY_INLINE void set(uint32_t ray, const Points &p) {
+        hn::Store(p.x, floats, x + ray);
+        hn::Store(p.y, floats, y + ray);
+        hn::Store(p.z, floats, z + ray);
+    }
+};
+
 /// Colours of a tile's pixels.
 struct alignas(64) TileColors {
     float red[group_size], green[group_size], blue[group_size];
@@ -48,6 +62,9 @@ struct alignas(64) SurfacePoints {
     uint32_t surface[group_size];
     RaySelection lit; ///< points that have local colour
     TileColors local; ///< so far, while there are lights to come
+    // Where the scene has details:
+    PointRows facet; ///< normals of the surface itself, while `normal` is for shading
+    PointRows tint;
 
     [[nodiscard]] HWY_INLINE Points position(uint32_t ray) const {
         return {hn::Load(floats, x + ray), hn::Load(floats, y + ray), hn::Load(floats, z + ray)};
@@ -57,11 +74,18 @@ struct alignas(64) SurfacePoints {
     }
 };
 
+/// One light as a level's points see it, where lights are not all plain.
+struct alignas(64) IncomingLights {
+    PointRows to_light;         ///< unit vectors
+    float strength[group_size]; ///< that the light's emission is multiplied by
+};
+
 /// Everything a tile works with; lies in the worker's memory.
 struct TileWork {
     RayLevel *level, *next; ///< two of the levels below
     SurfacePoints points;
     RayGroup shadow;
+    IncomingLights incoming;
     TileColors colors;
     RayLevel levels[2];
     BeamHistories *beams;

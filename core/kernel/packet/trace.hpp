@@ -5,6 +5,7 @@
 #include "kernel/kernel.hpp"
 #include "kernel/packet/block_trace.hpp"
 #include "kernel/packet/group_trace.hpp"
+#include "kernel/packet/quadric_trace.hpp"
 #include "kernel/packet/rays_by_face.hpp"
 #include "kernel/packet/stream_trace.hpp"
 
@@ -143,11 +144,12 @@ trace_quarters(const TraceQuestion &question, RayGroup &rays, RaySelection &sele
     }
 }
 
-/// Traces the selected rays. Those that are hit are deselected where any hit will do.
-template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQuestion &question, RayGroup &rays,
-                                                                    RaySelection &selection, BeamHistory &history,
-                                                                    const RayHint &hint = {}) {
-    if (selection.empty()) return;
+/// Traces the selected rays through the scene's triangles.
+template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace_triangles(const TraceQuestion &question,
+                                                                              RayGroup &rays, RaySelection &selection,
+                                                                              BeamHistory &history,
+                                                                              const RayHint &hint) {
+    if (selection.empty() || question.geometry.triangle_count == 0) return;
     if (question.geometry.wide_nodes) {
         trace_streams<shares_origin, any_hit>(question, rays, selection, history, hint);
         return;
@@ -175,6 +177,16 @@ template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace(const TraceQ
         for (uint32_t block = 0; block < block_count; ++block) {
             selection.blocks[block] = static_cast<uint16_t>(selection.blocks[block] | part.blocks[block]);
         }
+    }
+}
+
+/// Traces the selected rays. Those that are hit are deselected where any hit will do.
+template <bool shares_origin, bool any_hit> HWY_INLINE void trace(const TraceQuestion &question, RayGroup &rays,
+                                                                  RaySelection &selection, BeamHistory &history,
+                                                                  const RayHint &hint = {}) {
+    trace_triangles<shares_origin, any_hit>(question, rays, selection, history, hint);
+    if (HWY_UNLIKELY(question.geometry.quadrics.count != 0)) {
+        trace_quadrics<shares_origin, any_hit>(question, rays, selection);
     }
 }
 

@@ -1,0 +1,25 @@
+// Where a pixel's samples lie.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+
+#include <glint/scene.hpp>
+
+namespace glint {
+
+/// A pixel's samples: columns * rows of them, a grid where the pattern has one.
+struct SampleGrid {
+    uint32_t columns, rows;
+    SamplePattern pattern;
+    uint32_t seed;
+};
+
+/// The grid of so many cells that is nearest to a square.
+[[nodiscard]] SampleGrid sample_grid(uint32_t count, SamplePattern pattern, uint32_t seed);
+
+/// Place of a sample in pixel x, y: from its left and its top edge, in pixels.
+[[nodiscard]] glm::vec2 sample_place(const SampleGrid &grid, uint32_t x, uint32_t y, uint32_t sample);
+
+} // namespace glint
