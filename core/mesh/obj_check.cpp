@@ -152,10 +152,10 @@ private:
             ++count;
             at = word.end;
         }
-        blank_comment(at);
         if (!is_right_count(count)) {
             error(keyword.begin, words(in_quotes(keyword.text()), " takes ", wanted, ", found ", count));
         }
+        blank_comment(at);
     }
 
     /// A number that is wrong, large, or written so that tinyobjloader would lose it: the last kind is written anew.
@@ -182,10 +182,10 @@ private:
             at = check_corner(at, end);
             ++corners;
         }
-        blank_comment(at);
         if (corners < 3) {
             return error(keyword.begin, words("a face needs at least 3 corners, found ", corners));
         }
+        blank_comment(at);
         if (corners > max_face_corners) {
             error(keyword.begin, words("the face has ", corners, " corners, the limit is ", max_face_corners), {},
                   ErrorCode::limit_exceeded);
