@@ -81,9 +81,10 @@ protected:
         std::filesystem::copy(good_corpus(), in_folder("corpus"), std::filesystem::copy_options::recursive);
     }
 
-    /// Reads the text in the place of one of the corpus's scenes. It stays on the disk when the reader crashes.
-    void read(const std::string &scene, const std::string &text, Outcome &outcome) const {
-        const auto file = write("corpus/" + scene + ".sdl", text);
+    /// Reads the text beside one of the corpus's scenes. It stays on the disk when the reader crashes.
+    void read(const std::string &scene, const std::string &text, Outcome &outcome) {
+        // Always a new file: some file systems wait for the disk when an old one is written over.
+        const auto file = write("corpus/" + scene + "." + std::to_string(++files_) + ".sdl", text);
         ReadOptions options;
         options.scene_root = in_folder("corpus");
         const size_t before = live_bytes;
@@ -92,10 +93,13 @@ protected:
         const auto result = read_scene(file, options);
         ASSERT_LT(time.seconds(), most_seconds) << text;
         ASSERT_LT(most_live_bytes - before, most_bytes) << text;
+        std::filesystem::remove(file);
         result.ok() ? expect_valid(*result->scene, text, outcome) : expect_told(result.error(), text, outcome);
     }
 
 private:
+    int files_ = 0;
+
     static void expect_valid(const Scene &scene, const std::string &text, Outcome &outcome) {
         ++outcome.scenes;
         // A scene that is built anew from its parts passes the last wall again.
@@ -185,6 +189,39 @@ TEST_F(MutatedScenes, byte_by_byte_give_a_valid_scene_or_an_error_with_a_place) 
     }
     EXPECT_GT(outcome.scenes, 200);
     EXPECT_GT(outcome.errors, 200);
+}
+
+TEST_F(MutatedScenes, with_mutated_meshes_give_a_mesh_or_an_error) {
+    Random random(77);
+    int meshes = 0, errors = 0;
+    for (const auto &entry : std::filesystem::directory_iterator(good_corpus() / "room")) {
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::string good{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+        const std::vector<Words> lines = lines_of(good);
+        for (int i = 0; i < 150; ++i) {
+            const size_t line = random.below(static_cast<uint32_t>(lines.size()));
+            const auto rule = static_cast<LineRule>(random.below(line_rules));
+            std::string text = changed_lines(lines, line, rule, random);
+            if (i % 5 != 0 && !lines[line].empty()) {
+                const size_t word = random.below(static_cast<uint32_t>(lines[line].size()));
+                const auto word_rule = static_cast<WordRule>(random.below(word_rules));
+                text = text_with(lines, line, changed(lines[line], word, word_rule, random));
+            }
+            const auto path = write("mesh" + std::to_string(meshes + errors) + ".obj", text);
+            const size_t before = live_bytes;
+            most_live_bytes = before;
+            const CpuTime time;
+            const auto mesh = read_obj(path);
+            ASSERT_LT(time.seconds(), most_seconds) << text;
+            ASSERT_LT(most_live_bytes - before, most_bytes) << text;
+            ++(mesh.ok() ? meshes : errors);
+            if (!mesh.ok()) continue;
+            SceneBuilder builder;
+            ASSERT_TRUE(builder.add_object({"mutated", mesh->mesh, {}}).build().ok()) << text;
+        }
+    }
+    EXPECT_GT(meshes, 300);
+    EXPECT_GT(errors, 300);
 }
 
 TEST_F(MutatedScenes, cut_short_anywhere_lack_something_or_are_scenes) {
