@@ -149,6 +149,11 @@ private:
             const bool plain = shape.valid && word.end == shape.end && shape.magnitude <= 12 &&
                                shape.exponent > -far_exponent && word.end - word.begin < far_exponent;
             if (!plain) check_odd_number(word, coordinates && count < 3);
+            if (word.end != end && *word.end == '#' &&
+                is_hash_of_a_number(word.text(), {word.end + 1, static_cast<size_t>(end - word.end - 1)})) {
+                return error(word.begin, words(in_quotes({word.begin, static_cast<size_t>(end - word.begin)}),
+                                               " is not a finite number"));
+            }
             ++count;
             at = word.end;
         }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "text/number.hpp"
 #include "text/words.hpp"
 
 namespace glint {
@@ -39,19 +40,12 @@ size_t blank_length(std::string_view text) {
     return blank ? blank->bytes.size() : 0;
 }
 
-/// Where the line's comment begins; its end where it has none. Numbers that are none, as Microsoft's library prints
-/// them ("1.#INF", "-1.#IND"), must not be cut down to "1.".
+/// Where the line's comment begins; its end where it has none.
 size_t comment_begin(std::string_view line) {
     size_t at = line.find('#');
-    while (at != std::string_view::npos) {
-        const std::string_view behind = line.substr(at + 1);
-        const bool is_number =
-            line.substr(0, at).ends_with("1.") && (behind.starts_with("INF") || behind.starts_with("IND") ||
-                                                   behind.starts_with("QNAN") || behind.starts_with("SNAN"));
-        if (!is_number) return at;
+    while (at < line.size() && is_hash_of_a_number(line.substr(0, at), line.substr(at + 1)))
         at = line.find('#', at + 1);
-    }
-    return line.size();
+    return std::min(at, line.size());
 }
 
 } // namespace

@@ -75,6 +75,11 @@ std::optional<NumberFault> read_number(std::string_view token, float &value) {
     return NumberFault{words(in_quotes(token), " is too large"), "the largest number is 3.4e38"};
 }
 
+bool is_hash_of_a_number(std::string_view before, std::string_view behind) {
+    return before.ends_with("1.") && (behind.starts_with("INF") || behind.starts_with("IND") ||
+                                      behind.starts_with("QNAN") || behind.starts_with("SNAN"));
+}
+
 std::optional<NumberFault> read_whole_number(std::string_view token, uint64_t &value) {
     const std::string_view digits = token.substr(token.starts_with('+') ? 1 : 0);
     const bool all_digits = std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
