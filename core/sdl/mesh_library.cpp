@@ -36,15 +36,14 @@ std::shared_ptr<const Mesh> MeshLibrary::moved(const std::shared_ptr<const Mesh>
         return nullptr;
     }
     const size_t all = copy->triangles.size();
-    std::erase_if(copy->triangles, [&](const Triangle &t) { return !has_area(*copy, t); });
-    const size_t left = copy->triangles.size();
-    if (left == 0) {
+    const size_t erased = erase_triangles_without_area(*copy);
+    if (erased == all) {
         problems.error(place,
                        words("so far from the origin no triangle of the mesh ", path_in_quotes(name), " is left"));
         return nullptr;
     }
-    if (left < all) {
-        problems.warn(place, words(all - left, " of the ", all, " triangles of the mesh ", path_in_quotes(name),
+    if (erased > 0) {
+        problems.warn(place, words(erased, " of the ", all, " triangles of the mesh ", path_in_quotes(name),
                                    " have no area so far from the origin, and are left out"));
     }
     return entry->second = std::move(copy);
