@@ -149,13 +149,18 @@ private:
             const bool plain = shape.valid && word.end == shape.end && shape.magnitude <= 12 &&
                                shape.exponent > -far_exponent && word.end - word.begin < far_exponent;
             if (!plain) check_odd_number(word, coordinates && count < 3);
+            if (word.end != end && *word.end == '#' &&
+                is_hash_of_a_number(word.text(), {word.end + 1, static_cast<size_t>(end - word.end - 1)})) {
+                return error(word.begin, words(in_quotes({word.begin, static_cast<size_t>(end - word.begin)}),
+                                               " is not a finite number"));
+            }
             ++count;
             at = word.end;
         }
-        blank_comment(at);
         if (!is_right_count(count)) {
             error(keyword.begin, words(in_quotes(keyword.text()), " takes ", wanted, ", found ", count));
         }
+        blank_comment(at);
     }
 
     /// A number that is wrong, large, or written so that tinyobjloader would lose it: the last kind is written anew.
@@ -182,10 +187,10 @@ private:
             at = check_corner(at, end);
             ++corners;
         }
-        blank_comment(at);
         if (corners < 3) {
             return error(keyword.begin, words("a face needs at least 3 corners, found ", corners));
         }
+        blank_comment(at);
         if (corners > max_face_corners) {
             error(keyword.begin, words("the face has ", corners, " corners, the limit is ", max_face_corners), {},
                   ErrorCode::limit_exceeded);

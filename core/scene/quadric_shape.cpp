@@ -19,7 +19,9 @@ struct PrincipalForm {
     double value[3]; ///< eigenvalues; negligible ones are 0
     double slope[3]; ///< 0 wherever value is not
     double rest;
-    double rounding; ///< |rest| below this may be rounding alone
+    double rounding;   ///< |rest| below this may be rounding alone
+    double axis[3][3]; ///< columns: the axes, of unit length
+    double along[3];   ///< the linear part along each
 };
 
 /// Eigenvalues and eigenvectors of a symmetric matrix by Jacobi's rotations (Golub & Van Loan, "Matrix Computations",
@@ -57,46 +59,27 @@ void diagonalise(double m[3][3], double v[3][3]) {
 
 PrincipalForm principal_form(const Quadric &q) {
     double m[3][3] = {{q.a, q.d, q.f}, {q.d, q.b, q.e}, {q.f, q.e, q.c}};
-    double axes[3][3];
-    diagonalise(m, axes);
+    PrincipalForm form{};
+    diagonalise(m, form.axis);
     const double g[3] = {q.g, q.h, q.j};
     const double largest = std::fmax(std::abs(m[0][0]), std::fmax(std::abs(m[1][1]), std::abs(m[2][2])));
-    PrincipalForm form{};
     form.rest = q.k;
-    form.rounding = std::abs(form.rest);
+    // A quadric is what its coefficients say. That they may have been rounded to get into floats is thought of for the
+    // last one alone, which is where a point, a line or a plane that stands twice shows first.
+    form.rounding = 0x1p-24 * std::abs(form.rest);
     for (int i = 0; i < 3; ++i) {
-        const double along = axes[0][i] * g[0] + axes[1][i] * g[1] + axes[2][i] * g[2];
+        const double along = form.axis[0][i] * g[0] + form.axis[1][i] * g[1] + form.axis[2][i] * g[2];
+        form.along[i] = along;
         if (std::abs(m[i][i]) > negligible * largest) {
             form.value[i] = m[i][i];
             form.rest -= along * along / m[i][i];
-            form.rounding += std::abs(along * along / m[i][i]);
+            form.rounding += 1e-13 * std::abs(along * along / m[i][i]); // of this arithmetic
         } else {
             const double longest = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
             form.slope[i] = std::abs(along) > negligible * longest ? along : 0.0;
         }
     }
-    form.rounding *= negligible;
     return form;
-}
-
-/// Determinant and inverse of the quadratic part, where its leading minors say that it is definite.
-struct Definite {
-    double inverse[3][3];
-};
-std::optional<Definite> definite_part(const Quadric &q) {
-    const double sign = double(q.a) + q.b + q.c < 0.0 ? -1.0 : 1.0;
-    const double a = sign * q.a, b = sign * q.b, c = sign * q.c, d = sign * q.d, e = sign * q.e, f = sign * q.f;
-    const double determinant = a * (b * c - e * e) - d * (d * c - e * f) + f * (d * e - b * f);
-    const double scale = std::fmax(a, std::fmax(b, c));
-    const double least = negligible * scale;
-    if (!(a > least && b > least && c > least && a * b - d * d > least * scale &&
-          determinant > least * scale * scale)) {
-        return std::nullopt;
-    }
-    const double by = sign / determinant;
-    return Definite{{{(b * c - e * e) * by, (f * e - d * c) * by, (d * e - f * b) * by},
-                     {(f * e - d * c) * by, (a * c - f * f) * by, (d * f - a * e) * by},
-                     {(d * e - f * b) * by, (d * f - a * e) * by, (a * b - d * d) * by}}};
 }
 
 } // namespace
@@ -131,27 +114,27 @@ QuadricShape quadric_shape(const Quadric &q) {
     QuadricShape shape;
     shape.bounds.lo = glm::vec3(-everywhere);
     shape.bounds.hi = glm::vec3(everywhere);
-    const std::optional<Definite> part = definite_part(q);
-    if (!part) return shape;
-
-    // (x - centre)' A (x - centre) = size, hence reach_i^2 = size (A^-1)_ii.
-    const double g[3] = {q.g, q.h, q.j};
-    double centre[3];
-    double size = -double(q.k);
-    for (int i = 0; i < 3; ++i) {
-        centre[i] = -(part->inverse[i][0] * g[0] + part->inverse[i][1] * g[1] + part->inverse[i][2] * g[2]);
-        size -= g[i] * centre[i];
+    const PrincipalForm form = principal_form(q);
+    for (const double value : form.value) {
+        if (!(value * form.rest < 0.0)) return shape; // all of one sign, the rest of the other: an ellipsoid
     }
+
+    // Along its axes the ellipsoid reaches sqrt(-rest / value) from its centre at -along / value.
     Box bounds;
     for (int i = 0; i < 3; ++i) {
-        const double reach = std::sqrt(size * part->inverse[i][i]);
-        const double room = 1e-5 * reach + 1e-6 * std::abs(centre[i]);
-        bounds.lo[i] = static_cast<float>(centre[i] - reach - room);
-        bounds.hi[i] = static_cast<float>(centre[i] + reach + room);
+        double centre = 0.0, squared_reach = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            centre -= form.axis[i][axis] * form.along[axis] / form.value[axis];
+            squared_reach -= form.axis[i][axis] * form.axis[i][axis] * form.rest / form.value[axis];
+        }
+        const double reach = std::sqrt(squared_reach);
+        const double room = 1e-5 * reach + 1e-6 * std::abs(centre);
+        shape.centre[i] = static_cast<float>(centre);
+        bounds.lo[i] = static_cast<float>(centre - reach - room);
+        bounds.hi[i] = static_cast<float>(centre + reach + room);
         if (!(std::abs(bounds.lo[i]) <= max_coordinate && std::abs(bounds.hi[i]) <= max_coordinate)) return shape;
     }
     shape.is_bounded = true;
-    shape.centre = Point(float(centre[0]), float(centre[1]), float(centre[2]));
     shape.bounds = bounds;
     return shape;
 }

@@ -19,9 +19,15 @@ Camera Camera::look_at(Point eye, Point target, Vector up, float width, float he
     const glm::dvec3 forward = unit(glm::dvec3(target) - glm::dvec3(eye));
     const glm::dvec3 right = unit(cross(forward, glm::dvec3(up)));
     const glm::dvec3 upward = cross(right, forward);
-    const glm::dvec3 top_left =
-        glm::dvec3(eye) + forward - right * (0.5 * double(width)) + upward * (0.5 * double(height));
-    return {eye, Point(top_left), Vector(right * double(width)), Vector(upward * -double(height))};
+    // Far from the origin floats lie too far apart for a window at distance 1. A larger one, further away in the same
+    // measure, is seen as the same.
+    double distance = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        while (std::abs(double(eye[i])) > 1024.0 * distance) distance *= 2.0;
+    }
+    const glm::dvec3 across = right * (double(width) * distance), downward = upward * (-double(height) * distance);
+    const glm::dvec3 top_left = glm::dvec3(eye) + forward * distance - across * 0.5 - downward * 0.5;
+    return {eye, Point(top_left), Vector(across), Vector(downward)};
 }
 
 const Mesh *Scene::surface_mesh(uint32_t s) const {

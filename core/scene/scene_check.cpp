@@ -22,23 +22,6 @@ bool is_zero(const glm::vec3 &v) {
     return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f;
 }
 
-/// A copy without the triangles that have no area.
-std::shared_ptr<const Mesh> without_degenerate_triangles(const Mesh &mesh) {
-    auto kept = std::make_shared<Mesh>(mesh);
-    size_t count = 0;
-    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (!has_area(mesh, mesh.triangles[i])) continue;
-        kept->triangles[count] = mesh.triangles[i];
-        if (!mesh.normal_corners.empty()) kept->normal_corners[count] = mesh.normal_corners[i];
-        if (!mesh.texcoord_corners.empty()) kept->texcoord_corners[count] = mesh.texcoord_corners[i];
-        ++count;
-    }
-    kept->triangles.resize(count);
-    kept->normal_corners.resize(std::min(count, kept->normal_corners.size()));
-    kept->texcoord_corners.resize(std::min(count, kept->texcoord_corners.size()));
-    return kept;
-}
-
 } // namespace
 
 void SceneChecker::complain(std::string message) {
@@ -185,7 +168,9 @@ SceneChecker::CheckedMesh SceneChecker::check_mesh(const std::shared_ptr<const M
         return complain(owner + ": none of its mesh's triangles has an area"), CheckedMesh{};
     }
     skipped_ += skipped;
-    return {without_degenerate_triangles(*mesh), skipped};
+    auto kept = std::make_shared<Mesh>(*mesh);
+    erase_triangles_without_area(*kept);
+    return {std::move(kept), skipped};
 }
 
 bool SceneChecker::corners_are_valid(const Mesh &mesh, const std::string &owner) {

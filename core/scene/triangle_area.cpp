@@ -17,6 +17,22 @@ bool has_area(const Mesh &mesh, const Triangle &triangle) {
     return n.x != 0.0 || n.y != 0.0 || n.z != 0.0;
 }
 
+size_t erase_triangles_without_area(Mesh &mesh) {
+    const size_t all = mesh.triangles.size();
+    size_t kept = 0;
+    for (size_t i = 0; i < all; ++i) {
+        if (!has_area(mesh, mesh.triangles[i])) continue;
+        mesh.triangles[kept] = mesh.triangles[i];
+        if (!mesh.normal_corners.empty()) mesh.normal_corners[kept] = mesh.normal_corners[i];
+        if (!mesh.texcoord_corners.empty()) mesh.texcoord_corners[kept] = mesh.texcoord_corners[i];
+        ++kept;
+    }
+    mesh.triangles.resize(kept);
+    if (!mesh.normal_corners.empty()) mesh.normal_corners.resize(kept);
+    if (!mesh.texcoord_corners.empty()) mesh.texcoord_corners.resize(kept);
+    return all - kept;
+}
+
 Point area_weighted_centroid(const Mesh &mesh) {
     glm::dvec3 sum(0.0);
     double weight = 0.0;

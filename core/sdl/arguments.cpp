@@ -46,8 +46,9 @@ uint64_t Arguments::whole_number_in(size_t i, uint64_t lowest, uint64_t highest)
 }
 
 bool Arguments::on_or_off(size_t i) const {
-    if (word(i) == "on") return true;
-    if (word(i) != "off") error(i, words("expected 'on' or 'off', found ", in_quotes(word(i))));
+    const std::string lower = lower_case(word(i).substr(0, 8));
+    if (lower == "on") return true;
+    if (lower != "off") error(i, words("expected 'on' or 'off', found ", in_quotes(word(i))));
     return false;
 }
 

@@ -33,7 +33,7 @@ public:
     [[nodiscard]] uint64_t whole_number(size_t i, uint64_t otherwise) const;
     /// A whole number from `lowest` to `highest`; `lowest` where there is none.
     [[nodiscard]] uint64_t whole_number_in(size_t i, uint64_t lowest, uint64_t highest) const;
-    /// Whether the word is "on"; anything but "on" and "off" is an error.
+    /// Whether the word is "on", in any case of letters; anything but "on" and "off" is an error.
     [[nodiscard]] bool on_or_off(size_t i) const;
 
     [[nodiscard]] Place place(size_t i) const { return line_.place(token(i)); }

@@ -32,17 +32,17 @@ Result<AssetPaths> AssetPaths::create(const fs::path &scene_file, const ReadOpti
     paths.root_ = fs::canonical(root, no_root);
     fs::path folder = fs::canonical(or_here(shown), no_folder);
     if (no_root || !fs::is_directory(paths.root_, no_root)) {
-        return Error(ErrorCode::not_found, words("the scene root ", in_quotes(root.string()), " is not a folder"));
+        return Error(ErrorCode::not_found, words("the scene root ", path_in_quotes(root.string()), " is not a folder"));
     }
     if (no_folder) {
         return Error(ErrorCode::not_found,
-                     words("the folder ", in_quotes(shown.string()), " cannot be entered: ", no_folder.message()));
+                     words("the folder ", path_in_quotes(shown.string()), " cannot be entered: ", no_folder.message()));
     }
     paths.folders_.push_back({shown, folder});
     if (!is_within(folder, paths.root_)) {
         if (options.allow_outside_root) return paths;
         return Error(ErrorCode::bad_input,
-                     words("the scene file is not inside the scene root ", in_quotes(root.string())));
+                     words("the scene file is not inside the scene root ", path_in_quotes(root.string())));
     }
     while (folder != paths.root_) {
         folder = folder.parent_path();
@@ -56,7 +56,7 @@ bool AssetPaths::holds(const fs::path &real) const {
 }
 
 std::string AssetPaths::outside_message(std::string_view name) const {
-    return words("the path ", in_quotes(name), " leaves the scene root ", in_quotes(root_.string()));
+    return words("the path ", path_in_quotes(name), " leaves the scene root ", path_in_quotes(root_.string()));
 }
 
 Result<fs::path> AssetPaths::find(std::string_view name) const {
@@ -86,7 +86,7 @@ Result<fs::path> AssetPaths::find(std::string_view name) const {
     }
     std::string hint = "looked for " + tried;
     if (name.find('\\') != std::string_view::npos) hint += "; folders are separated by '/'";
-    return Error(ErrorCode::not_found, words("there is no file ", in_quotes(name)), std::move(hint));
+    return Error(ErrorCode::not_found, words("there is no file ", path_in_quotes(name)), std::move(hint));
 }
 
 std::optional<std::string> AssetPaths::output_problem(std::string_view name) const {

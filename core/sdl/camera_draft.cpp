@@ -72,9 +72,11 @@ std::optional<Camera> looking_at(const SceneDraft &draft, Problems &problems) {
     const glm::dvec3 across(v.y * u.z - v.z * u.y, v.z * u.x - v.x * u.z, v.x * u.y - v.y * u.x);
     const auto squared = [](const glm::dvec3 &a) { return a.x * a.x + a.y * a.y + a.z * a.z; };
     if (squared(across) <= 1e-12 * squared(v) * squared(u)) {
-        problems.error(draft.up ? draft.up->place : draft.target->place,
-                       draft.up ? "'up' points along the view, or is zero"
-                                : "the view goes straight up or down, where up (0 1 0) says nothing",
+        const char *const message = !draft.up              ? "the view goes straight up or down, where up (0 1 0) says "
+                                                             "nothing"
+                                    : u == glm::dvec3(0.0) ? "'up' is zero"
+                                                           : "'up' points along the view";
+        problems.error(draft.up ? draft.up->place : draft.target->place, message,
                        "give a line 'up x y z' across the view");
         return std::nullopt;
     }

@@ -46,16 +46,14 @@ public:
             return;
         }
         DialectSet dialects;
-        bool fits_any = false;
         for (const DirectiveForm &form : forms) {
             // A keyword that stands in the table once is evidence however badly its line goes on.
             if (!form.fits(line) && forms.size() > 1) continue;
             if (form.evidence.empty()) return;
-            fits_any = true;
             dialects = dialects | form.evidence;
         }
         const auto same = [&](const Evidence &known) { return known.dialects == dialects; };
-        if (!fits_any || std::any_of(evidence_.begin(), evidence_.end(), same)) return;
+        if (dialects.empty() || std::any_of(evidence_.begin(), evidence_.end(), same)) return;
         evidence_.push_back({dialects, line.place(line.tokens[0]), described(line, forms)});
     }
 
@@ -69,15 +67,10 @@ public:
         if (candidates.empty()) return tell_mixture(), std::nullopt;
         if (evidence_.empty()) return DetectedDialect{Dialect::mobile2013, "no line shows another dialect"};
         // Of raycife's own form of a light no line is found: then it reads as path2005 does, and that is the plainer.
-        if (candidates == (DialectSet(Dialect::path2005) | Dialect::raycife)) candidates = Dialect::path2005;
+        if (candidates.has(Dialect::path2005)) candidates = candidates.without(Dialect::raycife);
         const std::optional<Dialect> dialect = candidates.only();
         if (!dialect) return tell_ambiguity(candidates), std::nullopt;
-
-        // The most telling line: one that fits this dialect only, where there is one.
-        const Evidence &deciding = *std::min_element(
-            evidence_.begin(), evidence_.end(),
-            [&](const Evidence &a, const Evidence &b) { return a.dialects.count() < b.dialects.count(); });
-        return DetectedDialect{*dialect, on_line(deciding)};
+        return DetectedDialect{*dialect, deciding_lines(*dialect)};
     }
 
     /// The name behind the file's own `dialect` directive, if there is one.
@@ -106,6 +99,26 @@ private:
         return std::nullopt;
     }
 
+    /// The line that leaves this dialect alone, where there is one; else those that do so together.
+    [[nodiscard]] std::string deciding_lines(Dialect dialect) const {
+        const auto leave = [&](DialectSet dialects) {
+            if (dialect == Dialect::path2005) dialects = dialects.without(Dialect::raycife);
+            return dialects == DialectSet(dialect);
+        };
+        for (const Evidence &evidence : evidence_) {
+            if (leave(evidence.dialects)) return on_line(evidence);
+        }
+        std::string lines;
+        DialectSet left = DialectSet::all();
+        for (const Evidence &evidence : evidence_) {
+            if ((left & evidence.dialects) == left) continue;
+            left = left & evidence.dialects;
+            lines += words(lines.empty() ? "" : " and ", on_line(evidence));
+            if (leave(left)) break;
+        }
+        return lines;
+    }
+
     void tell_mixture() {
         // Name two lines that contradict each other, if two alone do; else the first and the last of all that do.
         const Evidence *first = &evidence_.front(), *second = &evidence_.back();
@@ -128,15 +141,22 @@ private:
 
     void tell_ambiguity(DialectSet candidates) {
         const Evidence &evidence = evidence_.back();
-        std::string readings, lines;
+        std::string readings, lines, last;
+        bool differ = true;
         for (size_t i = 0; i < dialect_count; ++i) {
             const auto dialect = static_cast<Dialect>(i);
             if (!candidates.has(dialect)) continue;
-            readings += words(readings.empty() ? "" : " or as ", dialect_name(dialect), reading_in(dialect, evidence));
+            const std::string reading = reading_in(dialect, evidence);
+            differ = differ && reading != last;
+            last = reading;
+            readings += words(readings.empty() ? "" : " or as ", dialect_name(dialect), reading);
             lines += words(lines.empty() ? "" : " or ", "'dialect ", dialect_name(dialect), "'");
         }
-        problems_.error(evidence.place, words(evidence.what, " can be read as ", readings),
-                        words("a line ", lines, " settles it"));
+        // Where the words are the same, the meaning of the file is not: of the line's coefficients, or of other lines.
+        if (!differ) readings = candidates.names();
+        problems_.error(
+            evidence.place, words(evidence.what, " can be read as ", readings),
+            words("a line ", lines, " settles it", differ ? "" : "; scenes/sdl/README.md says how they differ"));
     }
 
     /// " (r g b ka ...)": how the dialect names the arguments of the line that is the evidence.

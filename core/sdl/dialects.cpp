@@ -18,6 +18,7 @@
 
 #include "sdl/directives.hpp"
 #include "text/number.hpp"
+#include "text/words.hpp"
 
 namespace glint {
 
@@ -123,29 +124,35 @@ std::optional<Dialect> DialectSet::only() const {
 
 std::string DialectSet::names() const {
     std::string text;
+    DialectSet left = *this;
     for (size_t i = 0; i < dialect_count; ++i) {
-        if (!has(static_cast<Dialect>(i))) continue;
-        if (!text.empty()) text += " or ";
-        text += dialect_name(static_cast<Dialect>(i));
+        const auto dialect = static_cast<Dialect>(i);
+        if (!has(dialect)) continue;
+        left = left.without(dialect);
+        if (!text.empty()) text += left.empty() ? " or " : ", ";
+        text += dialect_name(dialect);
     }
     return text;
 }
 
 size_t DirectiveForm::least_arguments() const {
     size_t least = most_arguments();
-    while (least > 0 && argument(least - 1).starts_with('[')) --least;
+    while (least > 0 && is_optional(least - 1)) --least;
     return least;
+}
+
+bool DirectiveForm::starts_like(const Line &line) const {
+    if (line.argument_count == 0 || argument(0) == "name" || argument(0) == "on/off") return true;
+    float value = 0.0f;
+    const bool starts_with_number = !read_number(line.tokens[1].text, value);
+    return is_path(0) != starts_with_number;
 }
 
 bool DirectiveForm::fits(const Line &line) const {
     if (line.argument_count < least_arguments() || line.argument_count > most_arguments()) return false;
-    if (line.argument_count == 0) return true;
-    float value = 0.0f;
-    const bool starts_with_number = !read_number(line.tokens[1].text, value);
-    if (is_path(0) == starts_with_number && argument(0) != "name" && argument(0) != "on/off") return false;
+    if (!starts_like(line)) return false;
     for (size_t i = 0; i < line.argument_count; ++i) {
-        std::string_view name = argument(i);
-        if (name.starts_with('[')) name = name.substr(1, name.size() - 2);
+        const std::string_view name = argument(i);
         if (name.starts_with('\'') && name.substr(1, name.size() - 2) != line.tokens[i + 1].text) return false;
     }
     return true;
@@ -156,8 +163,7 @@ std::span<const DirectiveForm> directive_forms() {
 }
 
 std::span<const DirectiveForm> forms_of(std::string_view keyword) {
-    std::string lower(keyword.substr(0, 64));
-    for (char &c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const std::string lower = lower_case(keyword.substr(0, 64));
     const auto is_it = [&](const DirectiveForm &form) { return form.keyword() == lower; };
     const auto begin = std::find_if(std::begin(forms), std::end(forms), is_it);
     return {begin, std::find_if_not(begin, std::end(forms), is_it)};

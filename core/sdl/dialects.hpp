@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -35,10 +34,10 @@ public:
 
     [[nodiscard]] constexpr bool has(Dialect dialect) const { return (bits_ & DialectSet(dialect).bits_) != 0; }
     [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
-    [[nodiscard]] constexpr int count() const { return std::popcount(bits_); }
+    [[nodiscard]] constexpr DialectSet without(DialectSet others) const { return from_bits(bits_ & ~others.bits_); }
     /// The only member, where there is just one.
     [[nodiscard]] std::optional<Dialect> only() const;
-    /// "mobile2013 or path2005".
+    /// "mobile2013, path2005 or raycife".
     [[nodiscard]] std::string names() const;
 
     friend constexpr DialectSet operator|(DialectSet a, DialectSet b) { return from_bits(unsigned{a.bits_} | b.bits_); }
@@ -84,20 +83,25 @@ public:
     }
 
     std::string_view usage;
-    DialectSet dialects;      ///< that have the form
-    DialectSet evidence;      ///< that a file with such a line belongs to; empty where the line says nothing about it
+    DialectSet dialects; ///< that have the form
+    DialectSet evidence; ///< that a file with such a line belongs to; empty where the line says nothing about it
     DirectiveHandler handler;
     Role role;
 
     [[nodiscard]] constexpr std::string_view keyword() const { return words_[0]; }
     [[nodiscard]] constexpr size_t most_arguments() const { return word_count_ - 1; }
     [[nodiscard]] size_t least_arguments() const;
-    /// The name of argument i, from 0.
-    [[nodiscard]] constexpr std::string_view argument(size_t i) const { return words_[i + 1]; }
+    /// The name of argument i, from 0; without brackets where it may be missing.
+    [[nodiscard]] constexpr std::string_view argument(size_t i) const {
+        const std::string_view word = words_[i + 1];
+        return is_optional(i) ? word.substr(1, word.size() - 2) : word;
+    }
+    [[nodiscard]] constexpr bool is_optional(size_t i) const { return words_[i + 1].starts_with('['); }
     [[nodiscard]] bool is_path(size_t i) const { return argument(i) == "file" || argument(i) == "file.obj"; }
 
-    /// Whether the line has this form: the count of arguments, a path where a path is expected first, words that
-    /// stand for themselves.
+    /// Whether the line's first argument is a path where the form has one, and a number where it has none.
+    [[nodiscard]] bool starts_like(const Line &line) const;
+    /// Whether the line has this form: the count of arguments, how they start, words that stand for themselves.
     [[nodiscard]] bool fits(const Line &line) const;
 
 private:

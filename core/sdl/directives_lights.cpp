@@ -24,6 +24,11 @@ Light light_with_color(const Arguments &arguments, size_t i) {
 /// "falloff on" from argument i on; nothing there is "off".
 bool read_falloff(const Arguments &arguments, size_t i) {
     if (arguments.count() == i) return false;
+    if (arguments.word(i) != "falloff") {
+        arguments.error(i,
+                        words("expected 'falloff on', 'falloff off' or nothing, found ", in_quotes(arguments.word(i))));
+        return false;
+    }
     if (arguments.count() == i + 2) return arguments.on_or_off(i + 1);
     arguments.error(i, "'falloff' is followed by 'on' or 'off'");
     return false;
@@ -90,7 +95,8 @@ void read_spot_light(const Arguments &arguments, SceneDraft &draft) {
     light.direction = read_direction(arguments, 3);
     const float inner = arguments.number(6, 0.0f, 180.0f), outer = arguments.number(7, 0.0f, 180.0f);
     if (inner > outer) {
-        arguments.error(6, words("the inner angle, ", in_quotes(arguments.word(6)), " degrees, is wider than the outer"));
+        arguments.error(6,
+                        words("the inner angle, ", in_quotes(arguments.word(6)), " degrees, is wider than the outer"));
     }
     // 180 degrees must not become more than pi by rounding.
     light.outer_angle = outer >= 180.0f ? 3.14159265f : outer * radians;

@@ -12,6 +12,19 @@
 
 namespace glint {
 
+namespace {
+
+/// `supersample` and `samples` set the same, so only one of them may.
+void check_not_sampled(const Arguments &arguments, SceneDraft &draft) {
+    if (draft.has_samples) {
+        arguments.problems().error(arguments.keyword_place(),
+                                   "'supersample' and 'samples' both set the samples a pixel", "take one of them");
+    }
+    draft.has_samples = true;
+}
+
+} // namespace
+
 /// It has spoken before any other line was read (detect.cpp).
 void read_dialect(const Arguments &, SceneDraft &) {}
 
@@ -59,11 +72,13 @@ void read_output(const Arguments &arguments, SceneDraft &draft) {
 }
 
 void read_supersample(const Arguments &arguments, SceneDraft &draft) {
+    check_not_sampled(arguments, draft);
     draft.picture.samples_per_pixel = arguments.on_or_off(0) ? 4 : 1;
     draft.picture.pattern = SamplePattern::centre;
 }
 
 void read_samples(const Arguments &arguments, SceneDraft &draft) {
+    check_not_sampled(arguments, draft);
     draft.picture.samples_per_pixel = static_cast<uint32_t>(arguments.whole_number_in(0, 1, max_samples));
     if (arguments.count() < 2) return;
     const auto pattern = sample_pattern_named(arguments.word(1));
@@ -88,8 +103,7 @@ void read_tonemapping(const Arguments &arguments, SceneDraft &draft) {
 }
 
 void read_seed(const Arguments &arguments, SceneDraft &draft) {
-    draft.picture.seed =
-        static_cast<uint32_t>(arguments.whole_number_in(0, 0, std::numeric_limits<uint32_t>::max()));
+    draft.picture.seed = static_cast<uint32_t>(arguments.whole_number_in(0, 0, std::numeric_limits<uint32_t>::max()));
 }
 
 void read_reflection_adds(const Arguments &arguments, SceneDraft &draft) {

@@ -25,15 +25,17 @@ struct Line {
     std::string_view source;   ///< the whole line, without its newline
     std::vector<Token> tokens; ///< the keyword first; never empty
     uint64_t argument_count = 0;
+    bool has_problem = false; ///< whether a problem of its characters was reported
 
     [[nodiscard]] Place place(const Token &token) const { return {number, token.column, source}; }
 };
 
 /// Walks over the lines of a text that have words. LF, CRLF or CR ends a line, blanks and tabs separate words, '#'
-/// starts a comment anywhere. The lines point into the text.
+/// starts a comment anywhere but in "1.#INF". The lines point into the text.
 class Lexer {
 public:
-    /// Text that is not UTF-8 is reported, once a line, where `problems` are given.
+    /// Where `problems` are given, the first byte of a line that is not UTF-8 is reported, or the first character
+    /// outside its comment that only looks like a blank.
     explicit Lexer(std::string_view text, Problems *problems = nullptr) : rest_(text), problems_(problems) {}
 
     /// Fills `line` with the next one, or returns false behind the last.
@@ -41,7 +43,7 @@ public:
 
 private:
     void take_physical_line(Line &line);
-    void check_utf8(const Line &line);
+    [[nodiscard]] bool check_characters(const Line &line, size_t code_bytes);
 
     std::string_view rest_;
     Problems *problems_;

@@ -21,35 +21,32 @@ MeshLibrary::Found MeshLibrary::find(std::string_view name, const Place &place, 
     return entry->second;
 }
 
-MeshLibrary::Found MeshLibrary::find(std::string_view name, const Vector &offset, const Place &place,
-                                     Problems &problems) {
-    Found found = find(name, place, problems);
+std::shared_ptr<const Mesh> MeshLibrary::moved(const std::shared_ptr<const Mesh> &mesh, const Vector &offset,
+                                               std::string_view name, const Place &place, Problems &problems) {
     const bool stays = offset.x == 0.0f && offset.y == 0.0f && offset.z == 0.0f;
-    if (!found.mesh || stays || std::isnan(offset.x + offset.y + offset.z)) return found;
-    const auto [entry, is_new] = moved_.try_emplace({found.mesh.get(), offset.x, offset.y, offset.z});
-    if (is_new) {
-        auto moved = std::make_shared<Mesh>(*found.mesh);
-        for (Point &p : moved->positions) {
-            p = {p.x + offset.x, p.y + offset.y, p.z + offset.z};
-            if (max_abs(p) <= max_coordinate) continue;
-            problems.error(place, words("the mesh ", in_quotes(name), " moves to more than 1e12 from the origin"));
-            return {};
-        }
-        const size_t all = moved->triangles.size();
-        std::erase_if(moved->triangles, [&](const Triangle &t) { return !has_area(*moved, t); });
-        const size_t left = moved->triangles.size();
-        if (left == 0) {
-            problems.error(place, words("so far from the origin no triangle of the mesh ", in_quotes(name), " is left"));
-            return {};
-        }
-        if (left < all) {
-            problems.warn(place, words(all - left, " of the ", all, " triangles of the mesh ", in_quotes(name),
-                                       " have no area so far from the origin, and are left out"));
-        }
-        entry->second = std::move(moved);
+    if (stays || std::isnan(offset.x + offset.y + offset.z)) return mesh;
+    const auto [entry, is_new] = moved_.try_emplace({mesh.get(), offset.x, offset.y, offset.z});
+    if (!is_new) return entry->second;
+
+    auto copy = std::make_shared<Mesh>(*mesh);
+    for (Point &p : copy->positions) {
+        p = {p.x + offset.x, p.y + offset.y, p.z + offset.z};
+        if (max_abs(p) <= max_coordinate) continue;
+        problems.error(place, words("the mesh ", path_in_quotes(name), " moves to more than 1e12 from the origin"));
+        return nullptr;
     }
-    found.mesh = entry->second;
-    return found;
+    const size_t all = copy->triangles.size();
+    const size_t erased = erase_triangles_without_area(*copy);
+    if (erased == all) {
+        problems.error(place,
+                       words("so far from the origin no triangle of the mesh ", path_in_quotes(name), " is left"));
+        return nullptr;
+    }
+    if (erased > 0) {
+        problems.warn(place, words(erased, " of the ", all, " triangles of the mesh ", path_in_quotes(name),
+                                   " have no area so far from the origin, and are left out"));
+    }
+    return entry->second = std::move(copy);
 }
 
 MeshLibrary::Found MeshLibrary::look_up(const std::string &name, const Place &place, Problems &problems) {
@@ -73,7 +70,7 @@ std::shared_ptr<const Mesh> MeshLibrary::read(const fs::path &path, const Place 
     Result<TextFile> text = read_text_file(path, options_.max_file_bytes);
     if (!text.ok()) {
         for (const Diagnostic &diagnostic : text.error().diagnostics) {
-            problems.error(place, words("mesh ", in_quotes(name), ": ", diagnostic.message), diagnostic.hint,
+            problems.error(place, words("mesh ", path_in_quotes(name), ": ", diagnostic.message), diagnostic.hint,
                            text.error().code);
         }
         return nullptr;

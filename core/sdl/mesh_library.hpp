@@ -30,8 +30,10 @@ public:
 
     /// The mesh that a scene calls `name` at `place`. Why it cannot be had is reported at the first use.
     [[nodiscard]] Found find(std::string_view name, const Place &place, Problems &problems);
-    /// The same, moved. What moves beyond max_coordinate is reported.
-    [[nodiscard]] Found find(std::string_view name, const Vector &offset, const Place &place, Problems &problems);
+    /// The mesh, which the scene calls `name`, moved by `offset`; nullptr, after an error, where that takes it beyond
+    /// max_coordinate or leaves none of its triangles an area.
+    [[nodiscard]] std::shared_ptr<const Mesh> moved(const std::shared_ptr<const Mesh> &mesh, const Vector &offset,
+                                                    std::string_view name, const Place &place, Problems &problems);
 
     [[nodiscard]] const AssetPaths &paths() const { return paths_; }
     /// Every file that was read, in order of first use.

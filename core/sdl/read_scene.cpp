@@ -19,6 +19,7 @@
 #include "sdl/mesh_library.hpp"
 #include "sdl/scene_draft.hpp"
 #include "sdl/suggest.hpp"
+#include "text/number.hpp"
 #include "text/plain_text.hpp"
 #include "text/text_file.hpp"
 #include "text/words.hpp"
@@ -26,6 +27,11 @@
 namespace glint {
 
 namespace {
+
+bool is_number(std::string_view word) {
+    float value = 0.0f;
+    return !read_number(word, value);
+}
 
 /// Reads one file in one dialect.
 class SceneReader {
@@ -58,12 +64,18 @@ public:
     [[nodiscard]] std::optional<std::string> take_output_file() { return std::move(draft_.output_file); }
 
 private:
+    /// Where a setting was first given, and by which of its names.
+    struct First {
+        uint32_t line;
+        std::string_view keyword;
+    };
+
     void read_line(const Line &line) {
         const Token &keyword = line.tokens[0];
         const std::span<const DirectiveForm> forms = forms_of(keyword.text);
-        if (forms.empty()) return tell_unknown(line);
-        has_light_ = has_light_ || forms.front().role == DirectiveForm::Role::light;
-        has_object_ = has_object_ || forms.front().role == DirectiveForm::Role::object;
+        if (forms.empty()) return line.has_problem ? void() : tell_unknown(line);
+        note_attempt(forms.front());
+        if (line.has_problem) return; // told already; what it says cannot be trusted
         const DirectiveForm *const form = choose(forms, line);
         if (!form) {
             DialectSet owners;
@@ -74,26 +86,39 @@ private:
                                   ")"));
         }
         if (line.argument_count < form->least_arguments() || line.argument_count > form->most_arguments()) {
-            given_.try_emplace(form->handler, line.number);
+            given_.try_emplace(form->handler, First{line.number, form->keyword()});
             return tell_wrong_count(line, *form);
         }
-        const auto [first, is_first] = given_.try_emplace(form->handler, line.number);
-        if (!is_first && form->role == DirectiveForm::Role::setting) {
-            return error_at(line, keyword,
-                            words(in_quotes(keyword.text), " was given already, on line ", first->second));
-        }
+        const auto [first, is_first] = given_.try_emplace(form->handler, First{line.number, form->keyword()});
+        if (!is_first && form->role == DirectiveForm::Role::setting) return tell_twice(line, *form, first->second);
         form->handler(Arguments(line, *form, problems_), draft_);
     }
 
-    /// The form of this dialect that the line fits, else its first one; nullptr where the dialect has none.
+    /// Keeps in mind that the line was meant to give what every scene needs: then, whatever else is wrong with it, that
+    /// is not missing.
+    void note_attempt(const DirectiveForm &form) {
+        has_eye_ = has_eye_ || form.handler == read_eye;
+        has_light_ = has_light_ || form.role == DirectiveForm::Role::light;
+        has_object_ = has_object_ || form.role == DirectiveForm::Role::object;
+    }
+
+    /// The form of this dialect that the line fits, else the one it comes nearest to: of those that start as the line
+    /// does, if there are any, the one whose count of arguments is missed least. nullptr where the dialect has none.
     const DirectiveForm *choose(std::span<const DirectiveForm> forms, const Line &line) const {
-        const DirectiveForm *chosen = nullptr;
+        const DirectiveForm *nearest = nullptr;
+        uint64_t least_miss = UINT64_MAX;
         for (const DirectiveForm &form : forms) {
             if (!form.dialects.has(dialect_.dialect)) continue;
             if (form.fits(line)) return &form;
-            if (!chosen) chosen = &form;
+            const uint64_t count = line.argument_count, least = form.least_arguments(), most = form.most_arguments();
+            constexpr uint64_t another_start = uint64_t{1} << 40;
+            const uint64_t miss = (count < least ? least - count : count - std::min(count, most)) +
+                                  (form.starts_like(line) ? 0 : another_start);
+            if (miss >= least_miss) continue;
+            least_miss = miss;
+            nearest = &form;
         }
-        return chosen;
+        return nearest;
     }
 
     void error_at(const Line &line, const Token &token, std::string message, std::string hint = {}) {
@@ -103,27 +128,44 @@ private:
     void tell_unknown(const Line &line) {
         const Token &keyword = line.tokens[0];
         if (problems_.full()) return error_at(line, keyword, {});
-        std::string lower;
-        for (const char c : keyword.text.substr(0, 64)) {
-            lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        }
         std::vector<std::string_view> known;
         for (const DirectiveForm &form : directive_forms()) {
             if (form.dialects.has(dialect_.dialect)) known.push_back(form.keyword());
         }
-        const auto nearest = nearest_word(lower, known);
+        const auto nearest = nearest_word(lower_case(keyword.text.substr(0, 64)), known);
+        if (nearest) note_attempt(forms_of(*nearest).front());
         error_at(line, keyword, words("unknown directive ", in_quotes(keyword.text)),
                  nearest ? words("did you mean '", *nearest, "'?") : std::string());
+    }
+
+    /// The form of another dialect that the line fits, if any.
+    static const DirectiveForm *form_elsewhere(const Line &line) {
+        for (const DirectiveForm &form : forms_of(line.tokens[0].text)) {
+            if (form.fits(line)) return &form;
+        }
+        return nullptr;
+    }
+
+    void tell_twice(const Line &line, const DirectiveForm &form, const First &first) {
+        error_at(line, line.tokens[0],
+                 words(in_quotes(line.tokens[0].text), " was given already, on line ", first.line,
+                       first.keyword == form.keyword() ? "" : words(" as ", in_quotes(first.keyword))));
     }
 
     void tell_wrong_count(const Line &line, const DirectiveForm &form) {
         const bool too_many = line.argument_count > form.most_arguments();
         const size_t at = too_many ? std::min(form.most_arguments() + 1, line.tokens.size() - 1) : 0;
         std::string hint = words("expected: ", form.usage);
-        if (too_many && form.is_path(0)) hint += "; file names cannot contain blanks";
+        if (const DirectiveForm *const other = form_elsewhere(line)) {
+            hint += words("; as it stands it is a line of ", other->dialects.names(), ": ", other->usage);
+        } else if (too_many && form.is_path(0) && form.starts_like(line) && !is_number(line.tokens[2].text)) {
+            hint += "; file names cannot contain blanks";
+        }
+        const size_t least = form.least_arguments(), most = form.most_arguments();
+        const std::string range = least == most ? "" : words(least, least + 1 == most ? " or " : " to ");
         error_at(line, line.tokens[at],
-                 words(in_quotes(line.tokens[0].text), " takes ", counted(form.most_arguments(), "argument"),
-                       ", found ", line.argument_count),
+                 words(in_quotes(line.tokens[0].text), " takes ", range, counted(most, "argument"), ", found ",
+                       line.argument_count),
                  std::move(hint));
     }
 
@@ -134,7 +176,7 @@ private:
             problems_.error({}, words("there is no '", keyword, "'"),
                             form ? words("expected: ", form->usage) : std::string());
         };
-        if (!draft_.eye && !given_.contains(read_eye)) missing("eye");
+        if (!has_eye_) missing("eye");
         if (!has_light_) missing("light");
         if (!has_object_) missing("object");
         camera_ = camera_of(draft_, problems_);
@@ -160,8 +202,9 @@ private:
     Problems &problems_;
     SceneDraft draft_;
     std::optional<Camera> camera_;
-    std::map<DirectiveHandler, uint32_t> given_; ///< the line where each setting was first given
-    bool has_light_ = false;                     ///< whether a line tried to add one
+    std::map<DirectiveHandler, First> given_; ///< by what it does, so that synonyms are one
+    bool has_eye_ = false;                    ///< whether a line tried to give it
+    bool has_light_ = false;
     bool has_object_ = false;
 };
 

@@ -34,18 +34,21 @@ Quadric checked(const Arguments &arguments, size_t i, const Quadric &q) {
 
 std::shared_ptr<const Mesh> read_mesh(const Arguments &arguments, size_t i, SceneDraft &draft, const Vector &offset,
                                       std::filesystem::path *file) {
-    MeshLibrary::Found found = draft.meshes.find(arguments.word(i), offset, arguments.place(i), arguments.problems());
+    MeshLibrary::Found found = draft.meshes.find(arguments.word(i), arguments.place(i), arguments.problems());
     if (!found.mesh) return nullptr;
     *file = std::move(found.file);
     const uint64_t limit = std::min(draft.options.limits.max_triangles, uint64_t{1} << 30);
     const bool was_within = draft.triangle_count <= limit;
     draft.triangle_count += found.mesh->triangles.size();
-    if (was_within && draft.triangle_count > limit) {
-        arguments.error(
-            i, words("with this mesh the scene has ", draft.triangle_count, " triangles, the limit is ", limit), {},
-            ErrorCode::limit_exceeded);
+    if (draft.triangle_count > limit) {
+        if (was_within) {
+            arguments.error(
+                i, words("with this mesh the scene has ", draft.triangle_count, " triangles, the limit is ", limit), {},
+                ErrorCode::limit_exceeded);
+        }
+        return nullptr; // before it is copied to another place
     }
-    return std::move(found.mesh);
+    return draft.meshes.moved(found.mesh, offset, arguments.word(i), arguments.place(i), arguments.problems());
 }
 
 Quadric read_quadric(const Arguments &arguments, size_t i) {

@@ -40,7 +40,7 @@ struct ObjectDraft {
 /// A line that adds a light.
 struct LightDraft {
     Light light;
-    std::filesystem::path file; ///< of the mesh, as it was found; empty for other lights
+    std::filesystem::path file;                       ///< of the mesh, as it was found; empty for other lights
     float inner_degrees = 0.0f, outer_degrees = 0.0f; ///< of a spot light, as written
 };
 
@@ -58,6 +58,7 @@ struct SceneDraft {
     std::optional<Given<WindowSize>> window_size;
     std::optional<Given<float>> fov; ///< degrees
     PictureSettings picture;
+    bool has_samples = false; ///< whether a directive has set the picture's samples a pixel
     Color background{0.0f};
     float ambient = 0.0f;
     OpticsSettings optics;

@@ -32,9 +32,7 @@ std::string replaced(std::string_view text, std::string_view from, std::string_v
 
 /// Whether the token is one of the ways to write "not a number" or "infinity" (those of C, and of MSVC: "1.#INF").
 bool is_not_finite(std::string_view token) {
-    std::string word(token);
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    std::string word = lower_case(token);
     if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.erase(0, 1);
     return word == "inf" || word == "infinity" || word == "nan" || word.starts_with("nan(") || word.starts_with("1.#");
 }
@@ -75,6 +73,11 @@ std::optional<NumberFault> read_number(std::string_view token, float &value) {
     fast_float::from_chars(begin, end, value);
     if (std::isfinite(value)) return std::nullopt;
     return NumberFault{words(in_quotes(token), " is too large"), "the largest number is 3.4e38"};
+}
+
+bool is_hash_of_a_number(std::string_view before, std::string_view behind) {
+    return before.ends_with("1.") && (behind.starts_with("INF") || behind.starts_with("IND") ||
+                                      behind.starts_with("QNAN") || behind.starts_with("SNAN"));
 }
 
 std::optional<NumberFault> read_whole_number(std::string_view token, uint64_t &value) {

@@ -22,6 +22,11 @@ struct NumberFault {
 /// Reads digits, with a plus sign or none, into a whole number; what does not fit becomes the largest one.
 [[nodiscard]] std::optional<NumberFault> read_whole_number(std::string_view token, uint64_t &value);
 
+/// Whether the '#' between these two pieces of a line belongs to a number that is none, as Microsoft's library prints
+/// them
+/// ("1.#INF", "-1.#IND"), and begins no comment: what it leaves must not be taken for "1.".
+[[nodiscard]] bool is_hash_of_a_number(std::string_view before, std::string_view behind);
+
 /// What a number looks like, found without computing its value.
 struct NumberShape {
     const char *end = nullptr; ///< just past the last character that belongs to the number

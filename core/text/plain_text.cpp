@@ -14,7 +14,7 @@ bool check_is_text(std::string_view text, Problems &problems) {
     const size_t nul = text.find('\0');
     if (nul == std::string_view::npos) return true;
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
-        problems.error({}, "this is not UTF-8 text", "it looks like UTF-16: save it as UTF-8");
+        problems.error({1, 1, {}}, "this is not UTF-8 text", "it looks like UTF-16: save it as UTF-8");
         return false;
     }
     const std::string_view before = text.substr(0, nul);

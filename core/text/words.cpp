@@ -3,13 +3,6 @@
 
 namespace glint {
 
-namespace {
-
-/// Bytes of a token that are shown before it is cut.
-constexpr size_t shown_bytes = 48;
-
-} // namespace
-
 size_t utf8_length(std::string_view text) {
     const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
     const auto continues = [&](size_t i) { return (byte(i) & 0xc0u) == 0x80u; };
@@ -26,11 +19,11 @@ size_t utf8_length(std::string_view text) {
     return !continues(3) || overlong || beyond_unicode ? 0 : 4;
 }
 
-std::string in_quotes(std::string_view text) {
+std::string in_quotes(std::string_view text, size_t most_bytes) {
     constexpr char hex[] = "0123456789abcdef";
     std::string shown = "'";
     size_t at = 0;
-    while (at < text.size() && at < shown_bytes) {
+    while (at < text.size() && at < most_bytes) {
         const auto byte = static_cast<unsigned char>(text[at]);
         const size_t length = utf8_length(text.substr(at));
         if (length == 0 || byte < 0x20 || byte == 0x7f) {
@@ -43,6 +36,12 @@ std::string in_quotes(std::string_view text) {
     }
     if (at < text.size()) shown += "...";
     return shown + '\'';
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char &c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower;
 }
 
 std::string counted(uint64_t count, std::string_view singular) {

@@ -26,7 +26,15 @@ template <typename... Pieces> [[nodiscard]] std::string words(const Pieces &...p
 
 /// The text between single quotes. Control bytes and bytes that are not UTF-8 show as \xNN; a long text is cut with
 /// "...".
-[[nodiscard]] std::string in_quotes(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text, size_t most_bytes = 48);
+
+/// The same of a path, whose end tells the most.
+[[nodiscard]] inline std::string path_in_quotes(std::string_view path) {
+    return in_quotes(path, 4096);
+}
+
+/// A to Z become a to z; no other byte changes, in any locale.
+[[nodiscard]] std::string lower_case(std::string_view text);
 
 /// "1 triangle", "2 triangles".
 [[nodiscard]] std::string counted(uint64_t count, std::string_view singular);

@@ -59,7 +59,33 @@ TEST(DialectTable, has_all_that_mobile2013_needs) {
         EXPECT_TRUE(form(usage).dialects.has(Dialect::mobile2013)) << usage;
         EXPECT_NE(form(usage).handler, nullptr) << usage;
     }
-    EXPECT_TRUE(is_supported(Dialect::mobile2013));
+}
+
+TEST(DialectTable, leaves_no_row_without_a_handler) {
+    for (const DirectiveForm &row : directive_forms()) EXPECT_NE(row.handler, nullptr) << row.usage;
+}
+
+TEST(DialectTable, gives_every_dialect_a_light_an_object_and_a_depth) {
+    for (size_t i = 0; i < dialect_count; ++i) {
+        const auto dialect = static_cast<Dialect>(i);
+        bool light = false, object = false, depth = false;
+        for (const DirectiveForm &row : directive_forms()) {
+            if (!row.dialects.has(dialect)) continue;
+            light = light || row.role == DirectiveForm::Role::light;
+            object = object || row.role == DirectiveForm::Role::object;
+            depth = depth || row.argument(0) == "n";
+        }
+        EXPECT_TRUE(light && object && depth) << dialect_name(dialect);
+    }
+}
+
+TEST(DialectTable, lets_only_the_paper_s_and_our_own_dialect_mirror_instead_of_adding) {
+    EXPECT_FALSE(adds_reflections(Dialect::mobile2013));
+    EXPECT_FALSE(adds_reflections(Dialect::glint));
+    EXPECT_TRUE(adds_reflections(Dialect::ray2005));
+    EXPECT_TRUE(adds_reflections(Dialect::path2005));
+    EXPECT_TRUE(adds_reflections(Dialect::cg_path_tracer));
+    EXPECT_TRUE(adds_reflections(Dialect::raycife));
 }
 
 TEST(DialectTable, names_every_dialect_once) {
@@ -71,6 +97,7 @@ TEST(DialectTable, names_every_dialect_once) {
     EXPECT_EQ(dialect_named("Mobile2013"), std::nullopt);
     EXPECT_EQ(DialectSet::all().only(), std::nullopt);
     EXPECT_EQ((DialectSet(Dialect::path2005) | Dialect::mobile2013).names(), "mobile2013 or path2005");
+    EXPECT_EQ((DialectSet(Dialect::path2005) | Dialect::raycife).without(Dialect::raycife).only(), Dialect::path2005);
 }
 
 TEST(DirectiveForms, find_their_lines_by_count_and_first_argument) {
@@ -82,15 +109,29 @@ TEST(DirectiveForms, find_their_lines_by_count_and_first_argument) {
     EXPECT_TRUE(object.fits(line_of("object a.obj 1 1 1 1 1 1 1 1 1")));
     EXPECT_FALSE(object.fits(line_of("object a.obj 1 1 1 1 1 1 1")));
     EXPECT_FALSE(object.fits(line_of("object 1 1 1 1 1 1 1 1 1"))) << "no path";
+    EXPECT_FALSE(object.starts_like(line_of("object 1")));
+    EXPECT_TRUE(object.starts_like(line_of("object a.obj")));
+    EXPECT_TRUE(object.starts_like(line_of("object")));
     const DirectiveForm &point_light = form("light x y z I");
     EXPECT_TRUE(point_light.fits(line_of("light 0 0 0 1")));
     EXPECT_FALSE(point_light.fits(line_of("light a.obj 1 1 1"))) << "a mesh light that lacks its intensity";
 }
 
+TEST(DirectiveForms, know_words_that_stand_for_themselves) {
+    const DirectiveForm &light = form("light_point x y z r g b I ['falloff'] [on/off]");
+    EXPECT_EQ(light.least_arguments(), 7u);
+    EXPECT_TRUE(light.fits(line_of("light_point 0 0 0 1 1 1 1")));
+    EXPECT_TRUE(light.fits(line_of("light_point 0 0 0 1 1 1 1 falloff on")));
+    EXPECT_FALSE(light.fits(line_of("light_point 0 0 0 1 1 1 1 fallof on")));
+    EXPECT_TRUE(form("samples n [pattern]").fits(line_of("samples 4 anything")));
+    EXPECT_TRUE(form("fresnel on/off").fits(line_of("fresnel on")));
+    EXPECT_TRUE(form("dialect name").fits(line_of("dialect x")));
+}
+
 TEST(DirectiveForms, are_found_by_keyword_in_any_case) {
     EXPECT_EQ(forms_of("EyE").size(), 1u);
     EXPECT_EQ(forms_of("light").size(), 3u);
-    EXPECT_EQ(forms_of("object").size(), 4u);
+    EXPECT_EQ(forms_of("object").size(), 5u);
     EXPECT_TRUE(forms_of("sphere").empty());
     EXPECT_TRUE(forms_of(std::string(1000, 'e')).empty());
 }

@@ -73,5 +73,21 @@ TEST(Lexer, reports_text_that_is_not_utf8_once_a_line) {
     EXPECT_EQ(error.diagnostics[0].hint, "save the file as UTF-8 or ASCII");
 }
 
+TEST(Lexer, reports_what_only_looks_like_a_blank_and_goes_on_as_if_it_were) {
+    Problems problems("room.sdl");
+    EXPECT_EQ(lines_of("eye\u00a00 # no-break spaces\u00a0in comments are fine\nsize \ufeff4\n# \u00a0\n", &problems),
+              (Lines{"1:1 eye 0", "2:1 size 4"}));
+    const Error error = problems.take_error();
+    ASSERT_EQ(error.diagnostics.size(), 2u);
+    EXPECT_EQ(error.diagnostics[0].message, "there is a no-break space (U+00A0)");
+    EXPECT_EQ(error.diagnostics[0].column, 4u);
+    EXPECT_EQ(error.diagnostics[1].line, 2u);
+    EXPECT_EQ(error.diagnostics[1].message, "there is a byte-order mark (U+FEFF) inside the file");
+}
+
+TEST(Lexer, does_not_take_a_number_of_microsoft_s_for_a_comment) {
+    EXPECT_EQ(lines_of("eye 0 1.#INF -1.#IND #1.#INF\neye 1.#5\n"), (Lines{"1:1 eye 0 1.#INF -1.#IND", "2:1 eye 1."}));
+}
+
 } // namespace
 } // namespace glint::test

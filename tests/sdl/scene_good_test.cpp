@@ -3,26 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <glint/read.hpp>
-
-#include "support/written_files.hpp"
+#include "sdl/small_scene.hpp"
 
 namespace glint::test {
 namespace {
 
-class GoodScenes : public WrittenFiles {
-protected:
-    void SetUp() override {
-        WrittenFiles::SetUp();
-        write("wall.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        write("lamp.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\n");
-    }
-    SceneFile read(std::string_view text, const ReadOptions &options = {}) const {
-        auto scene = read_scene(write("good.sdl", text), options);
-        if (!scene.ok()) throw std::runtime_error(scene.error().text());
-        return std::move(scene).value();
-    }
-};
+class GoodScenes : public SmallScene {};
 
 constexpr std::string_view shortest = "eye 0 0 5\nlight lamp.obj 1 1 1 1\n"
                                       "object wall.obj 1 1 1 0 1 0 0 0 0\nmax_depth 1\n";

@@ -123,5 +123,13 @@ TEST(NumberShapes, bound_the_value_from_above) {
     EXPECT_LT(magnitude("1e-99999999999999999999"), -1000);
 }
 
+TEST(Hashes, belong_to_numbers_that_are_none_as_microsoft_writes_them) {
+    for (const char *behind : {"INF", "IND", "QNAN", "SNAN00"}) EXPECT_TRUE(is_hash_of_a_number("eye -1.", behind));
+    EXPECT_FALSE(is_hash_of_a_number("eye 1.", " INF"));
+    EXPECT_FALSE(is_hash_of_a_number("eye 1.", ""));
+    EXPECT_FALSE(is_hash_of_a_number("eye 1", "INF"));
+    EXPECT_FALSE(is_hash_of_a_number("", "INF"));
+}
+
 } // namespace
 } // namespace glint::test

@@ -23,6 +23,15 @@ TEST(Quotes, cut_what_is_long_between_characters) {
     EXPECT_EQ(in_quotes(std::string(48, 'x')), "'" + std::string(48, 'x') + "'");
 }
 
+TEST(Quotes, show_the_whole_of_a_path) {
+    EXPECT_EQ(path_in_quotes(std::string(200, 'x') + ".obj"), "'" + std::string(200, 'x') + ".obj'");
+}
+
+TEST(LowerCase, changes_the_letters_of_ascii_alone) {
+    EXPECT_EQ(lower_case("Max_DEPTH 3"), "max_depth 3");
+    EXPECT_EQ(lower_case("\u00c9@[`{\xff"), "\u00c9@[`{\xff");
+}
+
 TEST(Utf8, takes_what_unicode_allows) {
     EXPECT_EQ(utf8_length("A"), 1u);
     EXPECT_EQ(utf8_length("\u00e9"), 2u);

@@ -131,7 +131,7 @@ struct GLINT_API Camera {
     [[nodiscard]] static Camera through_window(Point eye, float x0, float y0, float x1, float y1);
 
     /// A camera that looks from `eye` towards `target` with `up` upwards in the picture, through a window of the given
-    /// size at distance 1. The target differs from the eye; `up` is not along the line between them.
+    /// size at distance 1, or what looks the same from there. The target differs from the eye; `up` is not along the line between them.
     [[nodiscard]] static Camera look_at(Point eye, Point target, Vector up, float width, float height);
 };
 
