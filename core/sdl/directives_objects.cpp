@@ -12,21 +12,23 @@ namespace glint {
 
 namespace {
 
+/// Decimals such as 0.7 + 0.3 may round to a little more than 1; the scene builder tolerates as much.
+constexpr float most_shares = 1.0f + 1e-6f;
+
 /// Shares of the colour must not be more than all of it. `at` is the place of kr or, where there is none, of kt.
 void check_shares(const Arguments &arguments, size_t at, const Material &material) {
-    // The tolerance is the scene builder's: decimals such as 0.7 + 0.3 may round to a little more than 1.
-    if (material.reflection + material.transmission <= 1.0f + 1e-6f) return;
-    arguments.error(at,
-                    words("kr + kt is more than 1 (", in_quotes(arguments.word(at)), " + ",
-                          in_quotes(arguments.word(at + 1)), ")"),
-                    "kr and kt are shares of the surface's colour");
+    if (material.reflection + material.transmission <= most_shares) return;
+    arguments.error(
+        at,
+        words("kr + kt is more than 1 (", in_quotes(arguments.word(at)), " + ", in_quotes(arguments.word(at + 1)), ")"),
+        "kr and kt are shares of the surface's colour");
 }
 
 /// More light than comes in is no error in dialects that add it to the local colour; but two rays from each hit, with
 /// nothing lost, would never come to an end.
 void limit_shares(const Arguments &arguments, size_t at, Material &material) {
     const float sum = material.reflection + material.transmission;
-    if (!(sum > 1.0f)) return;
+    if (!(sum > most_shares)) return;
     material.reflection /= sum;
     material.transmission /= sum;
     // Rounding must not bring the sum above 1 again.

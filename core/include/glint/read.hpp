@@ -1,4 +1,4 @@
-// Reading scene files: SDL text and the OBJ meshes it names.
+// Reading scene files, SDL text and the OBJ meshes it names, and rewriting them.
 #pragma once
 
 #include <filesystem>
@@ -28,11 +28,20 @@ struct ReadOptions {
     std::string dialect;
 };
 
+/// A kind of line that only some SDL dialects have.
+struct DialectEvidence {
+    uint32_t line = 0;                 ///< the first such line, from 1
+    std::string what;                  ///< "'object' with 9 numbers"
+    std::vector<std::string> dialects; ///< that the line speaks for
+};
+
 /// A scene as it stood in a file, and what the file said besides.
 struct SceneFile {
     std::shared_ptr<const Scene> scene;
     std::string dialect;                           ///< name of the SDL dialect the file was read as
     std::string dialect_reason;                    ///< why: the directive, and its line, that decided
+    /// Every kind of line that speaks for some dialects, in the file's order.
+    std::vector<DialectEvidence> dialect_evidence;
     std::optional<std::string> output_file;        ///< the `output` directive, as written
     std::vector<Diagnostic> warnings;              ///< e.g. triangles without area that were left out
     std::vector<std::filesystem::path> mesh_files; ///< every OBJ file that was read, each once, in order of first use
@@ -41,6 +50,21 @@ struct SceneFile {
 /// Reads an SDL file and every mesh it names. Fails with every problem of the file that could be found in one run.
 [[nodiscard]] GLINT_API Result<SceneFile> read_scene(const std::filesystem::path &file,
                                                      const ReadOptions &options = {});
+
+/// A scene file, rewritten in the canonical dialect of SDL, `glint`.
+struct ConvertedScene {
+    std::string text; ///< of the new file
+    SceneFile source; ///< the old one, as it was read
+    /// Set where the new file names files outside its own folder: the folder that must be its scene root.
+    std::optional<std::filesystem::path> scene_root;
+};
+
+/// Reads an SDL file and writes what it says in the dialect `glint`: the picture is the same to the bit, and a file that
+/// was converted already stays as it is. The new file is meant to lie in `folder`, which exists: names of meshes are
+/// relative to it; the name of the output stays. Fails as read_scene() does, and where the new file could not name a
+/// mesh, because of a blank or '#' in its path.
+[[nodiscard]] GLINT_API Result<ConvertedScene>
+convert_scene(const std::filesystem::path &file, const std::filesystem::path &folder, const ReadOptions &options = {});
 
 /// A mesh as it stood in an OBJ file.
 struct MeshFile {
