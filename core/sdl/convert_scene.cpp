@@ -2,21 +2,20 @@
 #include <string>
 #include <utility>
 
-#include <glint/read.hpp>
-
 #include "sdl/file_names.hpp"
+#include "sdl/read_scene.hpp"
 #include "sdl/scene_file_reader.hpp"
 #include "sdl/write_scene.hpp"
 
 namespace glint {
 
-Result<ConvertedScene> convert_scene(const std::filesystem::path &file, const std::filesystem::path &folder,
-                                     const ReadOptions &options) {
+Result<ConvertedScene> convert_scene_text(TextFile text, const std::filesystem::path &file,
+                                          const std::filesystem::path &folder, const ReadOptions &options) {
     return guarded_reading(file, [&]() -> Result<ConvertedScene> {
         Result<FileNames> names = FileNames::in_folder(folder);
         if (!names.ok()) return std::move(names).error();
         SceneFileReader reader(file, options);
-        if (const Status read = reader.read(); !read.ok()) return read.error();
+        if (const Status read = reader.read(std::move(text)); !read.ok()) return read.error();
 
         ConvertedScene converted;
         Problems problems(file.string());
@@ -28,6 +27,12 @@ Result<ConvertedScene> convert_scene(const std::filesystem::path &file, const st
         converted.scene_root = names->scene_root();
         return converted;
     });
+}
+
+Result<ConvertedScene> convert_scene(const std::filesystem::path &file, const std::filesystem::path &folder,
+                                     const ReadOptions &options) {
+    return with_text_of(file, options,
+                        [&](TextFile text) { return convert_scene_text(std::move(text), file, folder, options); });
 }
 
 } // namespace glint

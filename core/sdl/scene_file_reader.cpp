@@ -10,10 +10,8 @@
 
 namespace glint {
 
-Status SceneFileReader::read() {
-    Result<TextFile> file = read_text_file(file_, options_.max_file_bytes);
-    if (!file.ok()) return std::move(file).error();
-    text_ = std::move(file).value();
+Status SceneFileReader::read(TextFile file_text) {
+    text_ = std::move(file_text);
     if (!check_is_text(text_.view(), problems_)) return problems_.take_error();
     const std::string_view text = without_byte_order_mark(text_.view());
     dialect_ = detect_dialect(text, options_.dialect, problems_);

@@ -26,8 +26,8 @@ public:
     SceneFileReader(const SceneFileReader &) = delete;
     SceneFileReader &operator=(const SceneFileReader &) = delete;
 
-    /// Reads the file and its meshes. Fails with every problem that could be found.
-    [[nodiscard]] Status read();
+    /// Reads the file, whose text this is, and its meshes. Fails with every problem that could be found.
+    [[nodiscard]] Status read(TextFile file_text);
 
     /// What the file says; only after a read() that succeeded.
     [[nodiscard]] const SceneDraft &draft() const { return reader_->draft(); }
@@ -59,6 +59,16 @@ template <typename Use> [[nodiscard]] auto guarded_reading(const std::filesystem
     } catch (const std::system_error &failure) { // std::filesystem's among them
         return Outcome(about_file(file, {ErrorCode::io, std::string("the file system failed: ") + failure.what()}));
     }
+}
+
+/// What `use(text)`, a Result, returns of the file's text, guarded.
+template <typename Use>
+[[nodiscard]] auto with_text_of(const std::filesystem::path &file, const ReadOptions &options, const Use &use) {
+    return guarded_reading(file, [&]() -> decltype(use(TextFile())) {
+        Result<TextFile> text = read_text_file(file, options.max_file_bytes);
+        if (!text.ok()) return std::move(text).error();
+        return use(std::move(text).value());
+    });
 }
 
 } // namespace glint
