@@ -1,0 +1,25 @@
+// Any text as an OBJ file: a valid mesh, or reasons.
+#include <cstdint>
+#include <cstring>
+
+#include "fuzz/budget.hpp"
+#include "fuzz/verdict.hpp"
+#include "mesh/read_obj.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    using namespace glint;
+    // No byte behind the text's last: whoever reads further is caught.
+    TextFile text{std::unique_ptr<char[]>(new char[size]), size};
+    if (size > 0) std::memcpy(text.bytes.get(), data, size);
+
+    const fuzz::Budget budget;
+    const Result<MeshFile> mesh = read_obj_text(std::move(text), "fuzz.obj", {});
+    budget.require_kept();
+    if (mesh.ok()) {
+        fuzz::require_valid(*mesh->mesh);
+        fuzz::require_words(mesh->warnings);
+    } else {
+        fuzz::require_reasons(mesh.error());
+    }
+    return 0;
+}
