@@ -1,16 +1,15 @@
 // Any text as an OBJ file: a valid mesh, or reasons.
 #include <cstdint>
-#include <cstring>
+#include <utility>
 
 #include "fuzz/budget.hpp"
 #include "fuzz/verdict.hpp"
 #include "mesh/read_obj.hpp"
+#include "support/text_in_memory.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     using namespace glint;
-    // No byte behind the text's last: whoever reads further is caught.
-    TextFile text{std::unique_ptr<char[]>(new char[size]), size};
-    if (size > 0) std::memcpy(text.bytes.get(), data, size);
+    TextFile text = test::text_in_memory({reinterpret_cast<const char *>(data), size});
 
     const fuzz::Budget budget;
     const Result<MeshFile> mesh = read_obj_text(std::move(text), "fuzz.obj", {});

@@ -16,6 +16,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parents[1]
 TARGETS = sorted(path.name.removesuffix("_target.cpp") for path in HERE.glob("*_target.cpp"))
+TEXTS_OF = {"convert": "sdl"}  # whose corpus and dictionary it takes; all others have their own
 COMPILER = "clang++-16"
 SKIPPED = 77  # what ctest takes for "not run"
 
@@ -54,6 +55,7 @@ class Fuzzer:
 
     def __init__(self, folder, target):
         self.target = target
+        self.texts = TEXTS_OF.get(target, target)
         self.program = folder / "tests" / "fuzz" / f"glint_fuzz_{target}"
         self.corpus = folder / "corpus" / target
         self.crashes = folder / "crashes" / target
@@ -66,9 +68,9 @@ class Fuzzer:
 
     def fuzz(self, seconds):
         """Whether it found nothing; prints what it says of its end."""
-        done = self.run_program(f"-max_total_time={seconds}", f"-dict={HERE / self.target}.dict",
+        done = self.run_program(f"-max_total_time={seconds}", f"-dict={HERE / self.texts}.dict",
                                 f"-artifact_prefix={self.crashes}/", "-print_final_stats=1",
-                                self.corpus, HERE / "corpus" / self.target, HERE / "found" / self.target)
+                                self.corpus, HERE / "corpus" / self.texts, HERE / "found" / self.texts)
         said = done.stdout.splitlines()
         progress = [line for line in said if line.startswith("#")]
         rest = [line for line in said if not line.startswith("#")]
@@ -80,13 +82,13 @@ class Fuzzer:
         """The smallest text that fails as `crash` does, put where every build replays it."""
         smallest = self.crashes / f"{crash.name}.small"
         self.run_program("-minimize_crash=1", "-max_total_time=60", f"-exact_artifact_path={smallest}", crash)
-        kept = HERE / "found" / self.target / crash.name
+        kept = HERE / "found" / self.texts / crash.name
         shutil.copyfile(smallest if smallest.exists() else crash, kept)
         print(f"kept as {kept.relative_to(SOURCE)}")
 
     def keep_all(self):
         for crash in sorted(self.crashes.iterdir()):
-            if crash.suffix != ".small" and not (HERE / "found" / self.target / crash.name).exists():
+            if crash.suffix != ".small" and not (HERE / "found" / self.texts / crash.name).exists():
                 self.keep(crash)
 
 

@@ -1,12 +1,14 @@
 // Any text as an SDL file beside the meshes of scene/: a scene that is valid and can be rendered, or reasons.
 #include <cmath>
 #include <cstdint>
-#include <string_view>
+#include <utility>
 
 #include "fuzz/budget.hpp"
+#include "fuzz/scene_place.hpp"
 #include "fuzz/verdict.hpp"
 #include "sdl/read_scene.hpp"
 #include "support/picture.hpp"
+#include "support/text_in_memory.hpp"
 
 namespace {
 
@@ -36,12 +38,10 @@ void require_picture(const std::shared_ptr<const Scene> &scene) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    const std::string_view text(reinterpret_cast<const char *>(data), size);
-    ReadOptions options;
-    options.limits.max_triangles = 10'000;
+    TextFile text = test::text_in_memory({reinterpret_cast<const char *>(data), size});
 
     const fuzz::Budget budget;
-    const Result<SceneFile> file = read_scene_text(text, GLINT_SOURCE_DIR "/tests/fuzz/scene/fuzz.sdl", options);
+    const Result<SceneFile> file = read_scene_text(std::move(text), fuzz::scene_file(), fuzz::scene_options());
     budget.require_kept();
     if (!file.ok()) {
         fuzz::require_reasons(file.error());
