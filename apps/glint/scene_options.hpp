@@ -19,13 +19,15 @@ struct SceneOptions {
     std::string dialect;
     std::optional<uint64_t> max_pixels;
     bool allow_outside_root = false;
+    bool flat = false;
 
     [[nodiscard]] ReadOptions read_options() const;
     /// Most pixels a picture may have, asked for by the scene or by a flag.
     [[nodiscard]] uint64_t pixel_limit() const { return read_options().limits.max_pixels; }
 };
 
-/// Adds --max-pixels, --scene-root, --allow-outside-root and --dialect. `options` must live as long as the parser.
+/// Adds --max-pixels, --scene-root, --allow-outside-root, --dialect and --flat. `options` must live as long as the
+/// parser.
 void add_scene_options(CLI::App &parser, SceneOptions &options);
 
 /// Says the file's warnings on standard error.

@@ -18,8 +18,8 @@
 #include "sdl/lexer.hpp"
 #include "sdl/mesh_library.hpp"
 #include "sdl/scene_draft.hpp"
-#include "sdl/suggest.hpp"
 #include "text/plain_text.hpp"
+#include "text/suggest.hpp"
 #include "text/text_file.hpp"
 #include "text/words.hpp"
 
