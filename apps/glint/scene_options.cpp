@@ -1,6 +1,8 @@
 // The options of every command that reads a scene, and the reading itself.
 #include "scene_options.hpp"
 
+#include <glint/imageio.hpp>
+
 #include "console.hpp"
 #include "inside.hpp"
 
@@ -14,6 +16,8 @@ ReadOptions SceneOptions::read_options(const fs::path &path) const {
     options.scene_root = root_for(path);
     options.allow_outside_root = allow_outside_root;
     options.dialect = dialect;
+    options.read_texture = &read_texture;
+    options.flat = flat;
     return options;
 }
 
@@ -44,6 +48,8 @@ void add_scene_options(CLI::App &parser, SceneOptions &options) {
         .add_option("--dialect", options.dialect,
                     "Read the file as this SDL dialect, e.g. mobile2013 (default: detect)")
         ->type_name("NAME")
+        ->group(group);
+    parser.add_flag("--flat", options.flat, "Leave the normals of OBJ files aside: every triangle is flat")
         ->group(group);
 }
 

@@ -20,6 +20,7 @@ struct SceneOptions {
     std::string dialect;
     std::optional<uint64_t> max_pixels;
     bool allow_outside_root = false;
+    bool flat = false;
 
     /// For the scene file at `path`.
     [[nodiscard]] ReadOptions read_options(const std::filesystem::path &path) const;
@@ -30,7 +31,8 @@ struct SceneOptions {
     [[nodiscard]] uint64_t pixel_limit() const { return max_pixels.value_or(SceneLimits{}.max_pixels); }
 };
 
-/// Adds --max-pixels, --scene-root, --allow-outside-root and --dialect. `options` must live as long as the parser.
+/// Adds --max-pixels, --scene-root, --allow-outside-root, --dialect and --flat. `options` must live as long as the
+/// parser.
 void add_scene_options(CLI::App &parser, SceneOptions &options);
 
 /// Says the file's warnings on standard error.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sdl/lexer.hpp"
-#include "sdl/suggest.hpp"
+#include "text/suggest.hpp"
 #include "text/words.hpp"
 
 namespace glint {

@@ -8,7 +8,7 @@
 #include "sdl/arguments.hpp"
 #include "sdl/camera_draft.hpp"
 #include "sdl/directives.hpp"
-#include "sdl/suggest.hpp"
+#include "text/suggest.hpp"
 #include "text/words.hpp"
 
 namespace glint {

@@ -25,4 +25,10 @@ bool check_is_text(std::string_view text, Problems &problems) {
     return false;
 }
 
+std::optional<std::span<char>> plain_text_of(TextFile &file, Problems &problems) {
+    if (!check_is_text(file.view(), problems)) return std::nullopt;
+    const size_t mark_bytes = file.size - without_byte_order_mark(file.view()).size();
+    return std::span<char>(file.bytes.get() + mark_bytes, file.size - mark_bytes);
+}
+
 } // namespace glint

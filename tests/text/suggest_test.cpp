@@ -1,5 +1,5 @@
 // "Did you mean".
-#include "sdl/suggest.hpp"
+#include "text/suggest.hpp"
 
 #include <string>
 

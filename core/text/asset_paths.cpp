@@ -1,5 +1,5 @@
 // Where the files that a scene names are looked for, and where they may not be.
-#include "sdl/asset_paths.hpp"
+#include "text/asset_paths.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -38,16 +38,32 @@ Result<AssetPaths> AssetPaths::create(const fs::path &scene_file, const ReadOpti
         return Error(ErrorCode::not_found,
                      words("the folder ", in_quotes(shown.string()), " cannot be entered: ", no_folder.message()));
     }
-    paths.folders_.push_back({shown, folder});
-    if (!is_within(folder, paths.root_)) {
-        if (options.allow_outside_root) return paths;
+    if (!is_within(folder, paths.root_) && !options.allow_outside_root) {
         return Error(ErrorCode::bad_input,
                      words("the scene file is not inside the scene root ", in_quotes(root.string())));
     }
-    while (folder != paths.root_) {
-        folder = folder.parent_path();
-        paths.folders_.push_back({folder, folder});
+    paths.look_from(shown, std::move(folder));
+    return paths;
+}
+
+void AssetPaths::look_from(const fs::path &shown, fs::path real) {
+    folders_.push_back({shown, real});
+    if (!is_within(real, root_)) return;
+    while (real != root_) {
+        real = real.parent_path();
+        folders_.push_back({real, real});
     }
+}
+
+AssetPaths AssetPaths::beside(const fs::path &file, std::string_view kind) const {
+    AssetPaths paths;
+    paths.root_ = root_;
+    paths.allow_outside_root_ = allow_outside_root_;
+    paths.kind_ = kind;
+    std::error_code unknown;
+    const fs::path shown = file.parent_path();
+    fs::path real = fs::canonical(or_here(shown), unknown);
+    paths.look_from(shown, unknown ? shown : std::move(real));
     return paths;
 }
 
@@ -82,7 +98,7 @@ Result<fs::path> AssetPaths::find(std::string_view name) const {
         if (relative.is_absolute()) break;
     }
     if (tried.empty()) {
-        return Error(ErrorCode::bad_input, outside_message(name), "files are named relative to the scene file");
+        return Error(ErrorCode::bad_input, outside_message(name), words("files are named relative to the ", kind_));
     }
     std::string hint = "looked for " + tried;
     if (name.find('\\') != std::string_view::npos) hint += "; folders are separated by '/'";

@@ -1,5 +1,5 @@
 // "Did you mean": the known word that a mistyped one is nearest to.
-#include "sdl/suggest.hpp"
+#include "text/suggest.hpp"
 
 #include <algorithm>
 #include <array>
