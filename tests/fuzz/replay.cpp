@@ -14,6 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 int main(int count, char **arguments) {
     std::vector<std::filesystem::path> files;
     for (int i = 1; i < count; ++i) {
+        if (!std::filesystem::exists(arguments[i])) continue; // nothing was found yet
         for (const auto &entry : std::filesystem::recursive_directory_iterator(arguments[i])) {
             if (entry.is_regular_file()) files.push_back(entry.path());
         }

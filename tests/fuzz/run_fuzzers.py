@@ -16,7 +16,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parents[1]
 TARGETS = sorted(path.name.removesuffix("_target.cpp") for path in HERE.glob("*_target.cpp"))
-TEXTS_OF = {"convert": "sdl"}  # whose corpus and dictionary it takes; all others have their own
+TEXTS_OF = {"convert": "sdl", "model": "obj"}  # whose corpus and dictionary they take; all others have their own
 COMPILER = "clang++-16"
 SKIPPED = 77  # what ctest takes for "not run"
 
@@ -68,9 +68,10 @@ class Fuzzer:
 
     def fuzz(self, seconds):
         """Whether it found nothing; prints what it says of its end."""
+        known = [folder for folder in (HERE / "corpus" / self.texts, HERE / "found" / self.texts) if folder.exists()]
         done = self.run_program(f"-max_total_time={seconds}", f"-dict={HERE / self.texts}.dict",
                                 f"-artifact_prefix={self.crashes}/", "-print_final_stats=1",
-                                self.corpus, HERE / "corpus" / self.texts, HERE / "found" / self.texts)
+                                self.corpus, *known)
         said = done.stdout.splitlines()
         progress = [line for line in said if line.startswith("#")]
         rest = [line for line in said if not line.startswith("#")]
@@ -83,6 +84,7 @@ class Fuzzer:
         smallest = self.crashes / f"{crash.name}.small"
         self.run_program("-minimize_crash=1", "-max_total_time=60", f"-exact_artifact_path={smallest}", crash)
         kept = HERE / "found" / self.texts / crash.name
+        kept.parent.mkdir(exist_ok=True)
         shutil.copyfile(smallest if smallest.exists() else crash, kept)
         print(f"kept as {kept.relative_to(SOURCE)}")
 

@@ -1,4 +1,4 @@
-// Where the SDL texts of the fuzzers lie: beside the small meshes of scene/.
+// Where the texts of the fuzzers lie: beside the small meshes of scene/.
 #pragma once
 
 #include <filesystem>
@@ -19,6 +19,8 @@ namespace glint::fuzz {
 [[nodiscard]] inline ReadOptions scene_options() {
     ReadOptions options;
     options.limits.max_triangles = 10'000;
+    // One grey texel, whatever the file is: it is not image files that are tried here.
+    options.read_texture = [](const std::filesystem::path &) { return Texture{1, 1, {Color(0.5f)}}; };
     return options;
 }
 

@@ -42,20 +42,6 @@ void require_corners(const std::vector<Triangle> &corners, size_t triangles, siz
     }
 }
 
-void require_material(const Material &material) {
-    for (int channel = 0; channel < 3; ++channel) {
-        require_within(material.color[channel], 0.0f, 1.0f, "a colour is out of range");
-        require_within(material.highlight_color[channel], 0.0f, 1.0f, "a highlight's colour is out of range");
-    }
-    for (const float share :
-         {material.ambient, material.diffuse, material.specular, material.reflection, material.transmission}) {
-        require_within(share, 0.0f, 1.0f, "a share of light is out of range");
-    }
-    require_within(material.reflection + material.transmission, 0.0f, 1.00001f, "kr + kt is more than 1");
-    require_within(material.specular_exponent, 0.0f, max_intensity, "an exponent is out of range");
-    require_within(material.ior, least_ior, greatest_ior, "an index of refraction is out of range");
-}
-
 void require_quadric(const Quadric &q) {
     require_finite({q.a, q.b, q.c, q.d, q.e, q.f, q.g, q.h, q.j, q.k}, "a quadric's coefficient is not finite");
 }
@@ -109,13 +95,31 @@ void require_valid(const Mesh &mesh) {
                     "a texture coordinate's index is wrong");
 }
 
+void require_valid(const Material &material) {
+    for (int channel = 0; channel < 3; ++channel) {
+        require_within(material.color[channel], 0.0f, 1.0f, "a colour is out of range");
+        require_within(material.highlight_color[channel], 0.0f, 1.0f, "a highlight's colour is out of range");
+    }
+    for (const float share :
+         {material.ambient, material.diffuse, material.specular, material.reflection, material.transmission}) {
+        require_within(share, 0.0f, 1.0f, "a share of light is out of range");
+    }
+    require_within(material.reflection + material.transmission, 0.0f, 1.00001f, "kr + kt is more than 1");
+    require_within(material.specular_exponent, 0.0f, max_intensity, "an exponent is out of range");
+    require_within(material.ior, least_ior, greatest_ior, "an index of refraction is out of range");
+    if (!material.texture) return;
+    const Texture &texture = *material.texture;
+    require(texture.texels.size() == size_t{texture.width_px} * texture.height_px && !texture.texels.empty(),
+            "a texture's size is wrong");
+}
+
 void require_valid(const Scene &scene) {
     require(!scene.objects().empty(), "a scene has no object");
     require(!scene.lights().empty(), "a scene that was read has no light");
     uint64_t triangles = 0;
     for (const Object &object : scene.objects()) {
         require_shape(object.mesh, object.quadric);
-        require_material(object.material);
+        require_valid(object.material);
         if (object.mesh) triangles += object.mesh->triangles.size();
     }
     for (const Light &light : scene.lights()) {

@@ -11,6 +11,9 @@ void require(bool holds, const char *what);
 /// Indices in range, numbers finite, no triangle without area.
 void require_valid(const Mesh &mesh);
 
+/// Shares and colours from 0 to 1, all else within its limits, textures as large as they say.
+void require_valid(const Material &material);
+
 /// Everything that the builder promises of a scene, looked at afresh.
 void require_valid(const Scene &scene);
 
