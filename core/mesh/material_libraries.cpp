@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "mesh/obj_lines.hpp"
@@ -19,11 +20,15 @@ namespace {
 
 constexpr const char *kind = "material library";
 
+/// Names among which a similar one is looked for; a hundred faults times a hundred thousand names would take seconds.
+constexpr size_t most_to_compare = 1000;
+
 } // namespace
 
 void MaterialLibraries::read(const ObjNames::Library &line) {
     // A name with blanks, as many programs write it, or several names, as the format's authors meant it.
-    if (const Result<fs::path> whole = paths_.find(line.names); whole.ok()) {
+    std::error_code unknown;
+    if (const Result<fs::path> whole = paths_.find(line.names); whole.ok() && fs::exists(*whole, unknown)) {
         return read_file(*whole, line.place.place());
     }
     std::string_view rest = line.names;
@@ -83,7 +88,9 @@ Material MaterialLibraries::find(const std::string &name, const Place &place) {
 void MaterialLibraries::tell_of_missing(const std::string &name, const Place &place) {
     if (problems_.full()) return problems_.error(place, {});
     std::vector<std::string_view> known;
-    for (const auto &[other, entry] : materials_) known.push_back(other);
+    if (materials_.size() <= most_to_compare) {
+        for (const auto &[other, entry] : materials_) known.push_back(other);
+    }
     const auto nearest = nearest_word(name, known);
     std::string hint;
     if (nearest) {

@@ -118,7 +118,7 @@ private:
         };
         const Given *const dissolve = given("d"), *const transparency = given("Tr"), *const ior = given("Ni");
         // Exporters round both; a difference that shows is another matter.
-        constexpr float rounding = 1.5e-3f;
+        constexpr float rounding = 6e-3f;
         if (dissolve && transparency && !(std::abs(dissolve->value + transparency->value - 1.0f) <= rounding)) {
             const Given &later = dissolve->line > transparency->line ? *dissolve : *transparency;
             problems_.error(later.place.place(),
@@ -157,6 +157,11 @@ private:
 
         const char *const end = lines_.end();
         char *at = skip_blanks(keyword.end, end);
+        if (const std::string_view form = word_at(at, end).text(); form == "spectral" || form == "xyz") {
+            if (statement->neutral) return skip_unread(keyword), false;
+            error(at, words(keyword.text(), " is given as ", in_quotes(form), ", expected red, green and blue"));
+            return false;
+        }
         size_t count = 0;
         bool is_neutral = true;
         for (; at != end && *at != '#'; at = skip_blanks(at, end)) {
@@ -177,7 +182,7 @@ private:
                   words(in_quotes(keyword.text()), " takes ", counted(statement->count, "number"), ", found ", count));
         }
         if (keyword.text() == "Kd") materials_.back().has_color = true;
-        if (statement->neutral && !is_neutral) unread_.add(lines_.place(keyword.begin), keyword.text());
+        if (statement->neutral && !is_neutral) skip_unread(keyword);
         return !statement->neutral;
     }
 
@@ -209,10 +214,12 @@ private:
         return true;
     }
 
+    void skip_unread(const Word &keyword) { unread_.add(lines_.place(keyword.begin), keyword.text()); }
+
     void skip(const Word &keyword) {
         if (is_among(quiet_keywords, keyword.text())) return;
-        LeftOut &kind = is_among(unread_keywords, keyword.text()) ? unread_ : unknown_;
-        kind.add(lines_.place(keyword.begin), keyword.text());
+        if (is_among(unread_keywords, keyword.text())) return skip_unread(keyword);
+        unknown_.add(lines_.place(keyword.begin), keyword.text());
     }
 
     void tell_of_left_out() {

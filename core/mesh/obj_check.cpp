@@ -199,7 +199,10 @@ private:
                 }
             }
         }
-        return ends_word(at, end) ? at : corner_error(begin, end);
+        if (!ends_word(at, end)) return corner_error(begin, end);
+        // tinyobjloader would take the next corner's number for what is missing behind a last slash.
+        for (char *last = at; names_ && last[-1] == '/'; --last) last[-1] = ' ';
+        return at;
     }
 
     static bool is_part_end(const char *at, const char *end) { return ends_word(at, end) || *at == '/'; }

@@ -38,10 +38,10 @@ bool matches(const ModelFaces &model, const ObjCounts &counts, const ObjNames &n
 }
 
 /// The meshes, all of the material that faces without one get: white.
-std::vector<ModelPart> meshes_of(const ModelFaces &model, Problems &problems) {
+std::vector<ModelPart> meshes_of(const ModelFaces &model, bool flat, Problems &problems) {
     PartMeshes meshes = make_parts(model);
     tell_of_triangles_without_area(meshes.left_out, meshes.triangles, problems);
-    if (meshes.zero_normals > 0) {
+    if (meshes.zero_normals > 0 && !flat) {
         problems.warn({},
                       words(meshes.zero_normals, " of the file's ", counted(model.elements.normals.size(), "normal"),
                             meshes.zero_normals == 1 ? " is" : " are", " zero; triangles with such corners are flat"));
@@ -77,7 +77,7 @@ Result<ModelFile> read_model_text(TextFile text, const std::filesystem::path &fi
         return problems.take_error();
     }
     ModelFile result;
-    result.parts = meshes_of(model, problems);
+    result.parts = meshes_of(model, options.flat, problems);
     for (ModelPart &part : result.parts) {
         if (part.material_name.empty()) continue;
         part.material = libraries.find(part.material_name, names.materials[part.material_name].place());
