@@ -72,7 +72,7 @@ private:
     /// A statement of the current material that was read.
     struct Given {
         uint32_t line;
-        KeptPlace place; ///< of its first number
+        KeptPlace place; ///< of its first number; none where it has no number
         float value;     ///< its first number
     };
 
@@ -114,7 +114,8 @@ private:
     void finish_material() {
         const auto given = [&](std::string_view keyword) -> const Given * {
             const auto found = given_.find(keyword);
-            return found == given_.end() ? nullptr : &found->second;
+            const bool has_number = found != given_.end() && found->second.place.line > 0;
+            return has_number ? &found->second : nullptr;
         };
         const Given *const dissolve = given("d"), *const transparency = given("Tr"), *const ior = given("Ni");
         // Exporters round both; a difference that shows is another matter.
