@@ -35,7 +35,9 @@ void MaterialLibraries::read(const ObjNames::Library &line) {
     while (!rest.empty() && rest.front() != '#') {
         const auto end = static_cast<size_t>(std::find_if(rest.begin(), rest.end(), is_blank) - rest.begin());
         Place place = line.place.place();
-        place.column += static_cast<uint32_t>(rest.data() - line.names.data());
+        // Of a continued line only the first piece is kept; a name behind it is told of at the first name's place.
+        const auto offset = static_cast<uint32_t>(rest.data() - line.names.data());
+        if (place.column + offset <= place.source_line.size()) place.column += offset;
         if (const auto file = find_asset(paths_, rest.substr(0, end), place, problems_)) {
             read_file(*file, place);
         } else {

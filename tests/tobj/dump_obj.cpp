@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <initializer_list>
+#include <string_view>
 
 #include <glint/read.hpp>
 
@@ -34,14 +35,7 @@ void print_corner(const Mesh &mesh, size_t triangle, uint32_t Triangle::*corner)
     }
 }
 
-void print_file(const char *path) {
-    std::printf("file %s\n", path);
-    const Result<MeshFile> file = read_obj(path);
-    if (!file.ok()) {
-        std::printf("refused: %s\n", file.error().diagnostics[0].message.c_str());
-        return;
-    }
-    const Mesh &mesh = *file->mesh;
+void print_mesh(const Mesh &mesh) {
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
         std::putchar('f');
         for (const auto corner : {&Triangle::a, &Triangle::b, &Triangle::c}) print_corner(mesh, i, corner);
@@ -49,10 +43,51 @@ void print_file(const char *path) {
     }
 }
 
+void print_looks(const Material &material) {
+    const auto print_color = [](const Color &c) { print_bits({c.x, c.y, c.z}); };
+    std::printf("looks ");
+    print_color(material.color);
+    std::putchar(' ');
+    print_bits({material.specular});
+    std::putchar(' ');
+    print_color(material.highlight_color);
+    for (const float number : {material.specular_exponent, material.transmission, material.ior}) {
+        std::putchar(' ');
+        print_bits({number});
+    }
+    std::puts(material.texture ? " textured" : " plain");
+}
+
+void print_refusal(const Error &error) {
+    std::printf("refused: %s\n", error.diagnostics[0].message.c_str());
+}
+
+void print_as_mesh(const char *path) {
+    std::printf("keeps positions\nfile %s\n", path);
+    const Result<MeshFile> file = read_obj(path);
+    if (!file.ok()) return print_refusal(file.error());
+    print_mesh(*file->mesh);
+}
+
+void print_as_model(const char *path) {
+    std::printf("keeps positions texcoords normals materials\nfile %s\n", path);
+    ReadOptions options;
+    // Textures are for others to read: here it matters only that there is one.
+    options.read_texture = [](const std::filesystem::path &) { return Texture{1, 1, {Color(1.0f)}}; };
+    const Result<ModelFile> file = read_model(path, options);
+    if (!file.ok()) return print_refusal(file.error());
+    for (const ModelPart &part : file->parts) {
+        std::printf("material %s\n", part.material_name.c_str());
+        if (!part.material_name.empty()) print_looks(part.material);
+        print_mesh(*part.mesh);
+    }
+}
+
 } // namespace
 
 int main(int count, char **arguments) {
-    std::puts("keeps positions");
-    for (int i = 1; i < count; ++i) print_file(arguments[i]);
-    return 0;
+    const std::string_view how = count == 3 ? arguments[1] : "";
+    if (how == "mesh") return print_as_mesh(arguments[2]), 0;
+    if (how == "model") return print_as_model(arguments[2]), 0;
+    return std::fputs("usage: glint_dump_obj mesh|model FILE\n", stderr), 2;
 }

@@ -42,19 +42,57 @@ fn print_mesh(out: &mut impl Write, mesh: &tobj::Mesh) -> io::Result<()> {
     Ok(())
 }
 
+/// What a surface looks like, in the terms that Glint keeps: core/mesh/read_mtl.hpp says how they come from MTL's.
+fn print_looks(out: &mut impl Write, material: &tobj::Material) -> io::Result<()> {
+    let transparency = || material.unknown_param.get("Tr").and_then(|text| text.parse::<f32>().ok());
+    let color = material.diffuse.unwrap_or([1.0; 3]);
+    let highlight = material.specular.unwrap_or([0.0; 3]);
+    let specular = highlight.iter().cloned().fold(0.0, f32::max);
+    let highlight_color = if specular > 0.0 { highlight.map(|channel| channel / specular) } else { [1.0; 3] };
+    let dissolve = material.dissolve.unwrap_or_else(|| 1.0 - transparency().unwrap_or(0.0));
+    let ior = material.optical_density.unwrap_or(1.0);
+    let ior = if ior >= 0.01 { ior } else { 1.0 };
+    let single = |number: f32| bits(&[number], 1, 0);
+    writeln!(
+        out,
+        "looks {} {} {} {} {} {} {}",
+        bits(&color, 3, 0),
+        single(specular),
+        bits(&highlight_color, 3, 0),
+        single(material.shininess.unwrap_or(1.0)),
+        single(1.0 - dissolve),
+        single(ior),
+        if material.diffuse_texture.is_some() { "textured" } else { "plain" }
+    )
+}
+
+/// The models one after another, each with its material; one that has none has no name.
+fn print_models(out: &mut impl Write, models: &[tobj::Model], materials: &[tobj::Material]) -> io::Result<()> {
+    for model in models {
+        let material = model.mesh.material_id.map(|id| &materials[id]);
+        writeln!(out, "material {}", material.map_or("", |material| &material.name))?;
+        if let Some(material) = material {
+            print_looks(out, material)?;
+        }
+        print_mesh(out, &model.mesh)?;
+    }
+    Ok(())
+}
+
 fn print_file(out: &mut impl Write, path: &str) -> io::Result<()> {
     writeln!(out, "file {path}")?;
     match panic::catch_unwind(|| tobj::load_obj(path, &AS_WRITTEN)) {
         Err(_) => writeln!(out, "refused: it panicked"),
         Ok(Err(error)) => writeln!(out, "refused: {error}"),
-        Ok(Ok((models, _materials))) => models.iter().try_for_each(|model| print_mesh(out, &model.mesh)),
+        // Where a library cannot be read, tobj still has the models, without materials.
+        Ok(Ok((models, materials))) => print_models(out, &models, &materials.unwrap_or_default()),
     }
 }
 
 fn main() -> io::Result<()> {
     panic::set_hook(Box::new(|_| {})); // told of in the file's place
     let mut out = BufWriter::new(io::stdout().lock());
-    writeln!(out, "keeps positions texcoords normals")?;
+    writeln!(out, "keeps positions texcoords normals materials")?;
     for path in std::env::args().skip(1) {
         print_file(&mut out, &path)?;
     }
