@@ -6,6 +6,7 @@ small as can be and put beside this script, into found/, where every build repla
 
 import argparse
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -62,9 +63,11 @@ class Fuzzer:
         for path in (self.corpus, self.crashes):
             path.mkdir(parents=True, exist_ok=True)
 
-    def run_program(self, *arguments, **options):
+    def run_program(self, *arguments):
+        symbolizer = shutil.which("llvm-symbolizer-16") or shutil.which("llvm-symbolizer") or ""
         return subprocess.run([self.program, *BOUNDS, *map(str, arguments)], stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, errors="replace", **options)
+                              stderr=subprocess.STDOUT, text=True, errors="replace",
+                              env={**os.environ, "ASAN_SYMBOLIZER_PATH": symbolizer})
 
     def fuzz(self, seconds):
         """Whether it found nothing; prints what it says of its end."""
@@ -73,7 +76,7 @@ class Fuzzer:
                                 f"-artifact_prefix={self.crashes}/", "-print_final_stats=1",
                                 self.corpus, *known)
         said = done.stdout.splitlines()
-        progress = [line for line in said if line.startswith("#")]
+        progress = [line for line in said if re.match(r"#\d", line)]
         rest = [line for line in said if not line.startswith("#")]
         print(f"== {self.target}", *(progress[-1:] + (rest[-6:] if done.returncode == 0 else rest)), sep="\n",
               flush=True)
@@ -84,7 +87,7 @@ class Fuzzer:
         smallest = self.crashes / f"{crash.name}.small"
         self.run_program("-minimize_crash=1", "-max_total_time=60", f"-exact_artifact_path={smallest}", crash)
         kept = HERE / "found" / self.texts / crash.name
-        kept.parent.mkdir(exist_ok=True)
+        kept.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(smallest if smallest.exists() else crash, kept)
         print(f"kept as {kept.relative_to(SOURCE)}")
 
