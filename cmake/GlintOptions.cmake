@@ -3,6 +3,7 @@
 option(GLINT_BUILD_APPS "Build the command line, the scenes and the benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(GLINT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(GLINT_WERROR "Treat warnings as errors" OFF)
+option(GLINT_FUZZERS "Build the fuzzers, and no other test; with Clang only" OFF)
 set(GLINT_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined or thread")
 
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -29,4 +30,10 @@ if(GLINT_SANITIZE)
     target_compile_options(glint_build INTERFACE -fsanitize=${GLINT_SANITIZE} -fno-omit-frame-pointer -g1
         -fno-sanitize-recover=all)
     target_link_options(glint_build INTERFACE -fsanitize=${GLINT_SANITIZE})
+endif()
+if(GLINT_FUZZERS)
+    # libFuzzer follows the readers; which way a ray goes through a tree tells it nothing about a text.
+    target_compile_options(glint_build INTERFACE -fsanitize=fuzzer-no-link
+        -fsanitize-coverage-ignorelist=${PROJECT_SOURCE_DIR}/tests/fuzz/not_followed.txt)
+    target_link_options(glint_build INTERFACE -fsanitize=fuzzer-no-link)
 endif()

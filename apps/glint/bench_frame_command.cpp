@@ -56,7 +56,7 @@ ExitCode run(BenchFrameOptions &options) {
     if (!peer) return fail(peer.error());
     const Result<std::filesystem::path> path = find_scene(options.scene.file);
     if (!path) return fail_reading(path.error());
-    const Result<SceneFile> file = read_scene(*path, options.scene.read_options());
+    const Result<SceneFile> file = read_scene(*path, options.scene.read_options(*path));
     if (!file) return fail_reading(file.error());
     complain_about(*file);
     if (someone_watches()) {

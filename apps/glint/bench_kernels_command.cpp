@@ -51,7 +51,7 @@ struct Subject {
 };
 
 Result<Subject> read_mesh_subject(const BenchKernelsOptions &options) {
-    const Result<MeshFile> file = read_obj(options.mesh_file, options.scene.read_options());
+    const Result<MeshFile> file = read_obj(options.mesh_file, options.scene.read_options(options.mesh_file));
     if (!file) return file.error();
     for (const Diagnostic &warning : file->warnings) complain(warning.text());
     SceneBuilder builder;
@@ -64,7 +64,7 @@ Result<Subject> read_mesh_subject(const BenchKernelsOptions &options) {
 Result<Subject> read_scene_subject(const BenchKernelsOptions &options) {
     const Result<std::filesystem::path> path = find_scene(options.scene.file);
     if (!path) return path.error();
-    const Result<SceneFile> file = read_scene(*path, options.scene.read_options());
+    const Result<SceneFile> file = read_scene(*path, options.scene.read_options(*path));
     if (!file) return file.error();
     complain_about(*file);
     SceneBuilder builder;

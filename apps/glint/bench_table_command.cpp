@@ -66,7 +66,7 @@ ExitCode run(BenchTableOptions &options) {
             complain(fmt::format("measuring {0}x{0}, depth {1}", size_px, depth));
         };
     }
-    const Result<SceneFile> file = read_scene(*path, options.scene.read_options());
+    const Result<SceneFile> file = read_scene(*path, options.scene.read_options(*path));
     if (!file) return fail_reading(file.error());
     complain_about(*file);
 

@@ -20,7 +20,7 @@ struct InfoCommandOptions {
 };
 
 ExitCode run(const InfoCommandOptions &options) {
-    const Result<SceneFile> file = read_scene(options.scene.file, options.scene.read_options());
+    const Result<SceneFile> file = read_scene(options.scene.file, options.scene.read_options(options.scene.file));
     if (!file) return fail_reading(file.error());
     const std::shared_ptr<const Accel> accel = Accel::build(file->scene);
     print(options.json ? scene_report_json(options.scene.file, *file, *accel)

@@ -54,7 +54,7 @@ public:
 
     ExitCode run() {
         const auto start = std::chrono::steady_clock::now();
-        Result<SceneFile> file = read_scene(options_.scene.file, options_.scene.read_options());
+        Result<SceneFile> file = read_scene(options_.scene.file, options_.scene.read_options(options_.scene.file));
         if (!file) return fail_reading(file.error());
         complain_about(*file);
         read_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -15,7 +15,7 @@ namespace {
 constexpr const char *module_name = "glint_imageio_oiio.so";
 
 Error unavailable(const std::string &why, std::string hint) {
-    return {ErrorCode::unsupported, "image files cannot be written: " + why, std::move(hint)};
+    return {ErrorCode::unsupported, "image files cannot be read or written: " + why, std::move(hint)};
 }
 
 Result<fs::path> find_module() {
@@ -54,7 +54,8 @@ Result<Module> load_module() {
     module.library = symbol<glint_imageio_library_fn>(library, GLINT_IMAGEIO_LIBRARY_NAME);
     module.encode = symbol<glint_imageio_encode_fn>(library, GLINT_IMAGEIO_ENCODE_NAME);
     module.release = symbol<glint_imageio_release_fn>(library, GLINT_IMAGEIO_RELEASE_NAME);
-    if (!abi || abi() != GLINT_IMAGEIO_ABI || !module.library || !module.encode || !module.release) {
+    module.decode = symbol<glint_imageio_decode_fn>(library, GLINT_IMAGEIO_DECODE_NAME);
+    if (!abi || abi() != GLINT_IMAGEIO_ABI || !module.library || !module.encode || !module.release || !module.decode) {
         return unavailable("'" + place->string() + "' belongs to another version of Glint", "install both together");
     }
     return module;

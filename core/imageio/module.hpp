@@ -12,6 +12,7 @@ struct Module {
     glint_imageio_library_fn *library = nullptr;
     glint_imageio_encode_fn *encode = nullptr;
     glint_imageio_release_fn *release = nullptr;
+    glint_imageio_decode_fn *decode = nullptr;
 };
 
 /// Loads the module, or finds it loaded. It is never unloaded: the library behind it keeps threads of its own.

@@ -10,7 +10,7 @@ extern "C" {
 #endif
 
 /* Changes with every change of this file; a module that answers otherwise is not used. */
-#define GLINT_IMAGEIO_ABI 1
+#define GLINT_IMAGEIO_ABI 2
 
 /* A picture, top row first. */
 struct glint_imageio_picture {
@@ -33,6 +33,14 @@ struct glint_imageio_bytes {
     void *owner;
 };
 
+/* Where a decoded picture goes. */
+struct glint_imageio_room {
+    /* Asked once, when the picture's size is known (each side at least 1): room for 3 * width_px * height_px floats, R G B
+       for each pixel, top row first. NULL = the picture is not wanted. */
+    float *(*ask)(void *context, uint32_t width_px, uint32_t height_px);
+    void *context;
+};
+
 enum glint_imageio_outcome { GLINT_IMAGEIO_OK = 0, GLINT_IMAGEIO_FAILED = 1, GLINT_IMAGEIO_STOPPED = 2 };
 
 /* GLINT_IMAGEIO_ABI of the module. */
@@ -48,11 +56,19 @@ typedef int glint_imageio_encode_fn(const struct glint_imageio_picture *picture,
 
 typedef void glint_imageio_release_fn(struct glint_imageio_bytes *file);
 
+/* Decodes the first picture of the file, in any format the library knows, into the room that it asks for. Whole numbers
+   become fractions of their largest one, grey becomes R = G = B, alpha is left aside; nothing else is done to the
+   values. On failure `message` (message_bytes > 0) gets a sentence, cut to fit. Returns a glint_imageio_outcome: stopped
+   where there was no room. */
+typedef int glint_imageio_decode_fn(const char *file, const struct glint_imageio_room *room, char *message,
+                                    size_t message_bytes);
+
 /* The names under which a module shows the functions above. */
 #define GLINT_IMAGEIO_ABI_NAME "glint_imageio_abi"
 #define GLINT_IMAGEIO_LIBRARY_NAME "glint_imageio_library"
 #define GLINT_IMAGEIO_ENCODE_NAME "glint_imageio_encode"
 #define GLINT_IMAGEIO_RELEASE_NAME "glint_imageio_release"
+#define GLINT_IMAGEIO_DECODE_NAME "glint_imageio_decode"
 
 #ifdef __cplusplus
 }

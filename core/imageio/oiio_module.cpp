@@ -1,4 +1,5 @@
-// The image module: encodes pictures into memory with OpenImageIO. The only file that knows OpenImageIO.
+// The image module: encodes pictures into memory, and decodes files, with OpenImageIO. The only file that knows
+// OpenImageIO.
 #include "imageio/module_abi.h"
 
 #include <algorithm>
@@ -61,8 +62,54 @@ bool encode(const Picture &picture, std::vector<unsigned char> &file) {
     return true;
 }
 
-void say(char *message, size_t message_bytes, const std::string &text) noexcept {
-    std::snprintf(message, message_bytes, "%s", text.empty() ? "OpenImageIO gave no reason" : text.c_str());
+/// "Readers" that look into no picture file: one makes pictures of nothing, one listens to the network, one draws on
+/// the terminal, one plays films.
+bool reads_pictures(const std::string &format) {
+    for (const char *other : {"null", "socket", "term", "ffmpeg"}) {
+        if (format == other) return false;
+    }
+    return true;
+}
+
+/// Returns false when the caller had no room.
+bool decode(const char *file, const glint_imageio_room &room) {
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(file);
+    if (!input) throw Failure{OIIO::geterror()};
+    if (!reads_pictures(input->format_name())) throw Failure{"it is no picture"};
+    OIIO::ImageSpec as_it_is, spec;
+    as_it_is.attribute("oiio:UnassociatedAlpha", 1); // no multiplication by alpha
+    if (!input->open(file, spec, as_it_is)) throw Failure{input->geterror()};
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.deep) {
+        throw Failure{"it is no flat picture"};
+    }
+    const auto width = static_cast<uint32_t>(spec.width), height = static_cast<uint32_t>(spec.height);
+    float *const rgb = room.ask(room.context, width, height);
+    if (!rgb) return false;
+
+    const bool is_grey = spec.nchannels < 3; // perhaps with alpha
+    constexpr OIIO::stride_t pixel_stride = 3 * sizeof(float);
+    if (!input->read_image(0, 0, 0, is_grey ? 1 : 3, OIIO::TypeDesc::FLOAT, rgb, pixel_stride,
+                           pixel_stride * spec.width)) {
+        throw Failure{input->geterror()};
+    }
+    const size_t values = size_t{3} * width * height;
+    for (size_t i = 0; is_grey && i < values; i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
+    return true;
+}
+
+/// Does the work, which returns whether it was not stopped. No exception leaves the module.
+template <typename Work> int outcome_of(Work &&work, char *message, size_t message_bytes) noexcept {
+    const auto say = [&](const char *text) { std::snprintf(message, message_bytes, "%s", text); };
+    try {
+        return work() ? GLINT_IMAGEIO_OK : GLINT_IMAGEIO_STOPPED;
+    } catch (const Failure &failure) {
+        say(failure.message.empty() ? "OpenImageIO gave no reason" : failure.message.c_str());
+    } catch (const std::exception &error) {
+        say(error.what());
+    } catch (...) {
+        say("an unknown failure");
+    }
+    return GLINT_IMAGEIO_FAILED;
 }
 
 } // namespace
@@ -86,20 +133,20 @@ GLINT_API const char *glint_imageio_library(void) {
 GLINT_API int glint_imageio_encode(const glint_imageio_picture *picture, glint_imageio_bytes *file, char *message,
                                    size_t message_bytes) {
     *file = {};
-    try {
-        auto bytes = std::make_unique<std::vector<unsigned char>>();
-        if (!encode(*picture, *bytes)) return GLINT_IMAGEIO_STOPPED;
-        *file = {bytes->data(), bytes->size(), bytes.get()};
-        static_cast<void>(bytes.release());
-        return GLINT_IMAGEIO_OK;
-    } catch (const Failure &failure) {
-        say(message, message_bytes, failure.message);
-    } catch (const std::exception &error) {
-        std::snprintf(message, message_bytes, "%s", error.what());
-    } catch (...) {
-        std::snprintf(message, message_bytes, "an unknown failure");
-    }
-    return GLINT_IMAGEIO_FAILED;
+    return outcome_of(
+        [&] {
+            auto bytes = std::make_unique<std::vector<unsigned char>>();
+            if (!encode(*picture, *bytes)) return false;
+            *file = {bytes->data(), bytes->size(), bytes.get()};
+            static_cast<void>(bytes.release());
+            return true;
+        },
+        message, message_bytes);
+}
+
+GLINT_API int glint_imageio_decode(const char *file, const glint_imageio_room *room, char *message,
+                                   size_t message_bytes) {
+    return outcome_of([&] { return decode(file, *room); }, message, message_bytes);
 }
 
 GLINT_API void glint_imageio_release(glint_imageio_bytes *file) {

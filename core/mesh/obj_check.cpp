@@ -10,9 +10,10 @@
 
 #include <glint/scene.hpp>
 
+#include "mesh/left_out.hpp"
 #include "mesh/obj_lines.hpp"
+#include "mesh/obj_words.hpp"
 #include "text/number.hpp"
-#include "text/shortest.hpp"
 #include "text/words.hpp"
 
 namespace glint {
@@ -27,26 +28,10 @@ constexpr std::array<std::string_view, 15> quiet_keywords = {
 /// From here on a decimal exponent, or a token's length, is beyond what tinyobjloader computes with.
 constexpr int far_exponent = 300;
 
-/// Lines of one kind that are left out, told of by one warning at the first of them.
-struct LeftOut {
-    uint64_t lines = 0;
-    Place first;
-    std::string source_line; ///< a copy, because the text changes
-    std::string keyword;
-
-    void add(const Place &place, std::string_view keyword_) {
-        if (lines++ > 0) return;
-        first = place;
-        source_line = std::string(place.source_line.substr(0, 1024));
-        keyword = std::string(keyword_);
-    }
-
-    [[nodiscard]] Place place() const { return {first.line, first.column, source_line}; }
-};
-
 class ObjChecker {
 public:
-    ObjChecker(std::span<char> text, Problems &problems) : text_(text), problems_(problems) {}
+    ObjChecker(std::span<char> text, Problems &problems, ObjNames *names)
+        : text_(text), problems_(problems), names_(names) {}
 
     ObjCounts run() {
         count_elements();
@@ -60,26 +45,6 @@ public:
     }
 
 private:
-    /// One word of the current line, without the comment that may follow.
-    struct Word {
-        char *begin;
-        char *end;
-        [[nodiscard]] std::string_view text() const { return {begin, static_cast<size_t>(end - begin)}; }
-    };
-
-    static char *skip_blanks(char *at, const char *end) {
-        while (at != end && is_blank(*at)) ++at;
-        return at;
-    }
-
-    static bool ends_word(const char *at, const char *end) { return at == end || is_blank(*at) || *at == '#'; }
-
-    static Word word_at(char *begin, const char *end) {
-        char *at = begin;
-        while (!ends_word(at, end)) ++at;
-        return {begin, at};
-    }
-
     /// A face may name a vertex that only comes later, so the totals are needed before the first face is checked.
     void count_elements() {
         ObjLines lines(text_);
@@ -108,26 +73,48 @@ private:
             ++so_far_.vertices;
         } else if (keyword.text() == "f") {
             check_face(keyword);
-        } else {
-            check_ignored(keyword);
+        } else if (check_other(keyword)) {
             *keyword.begin = '#';
         }
     }
 
-    void check_ignored(const Word &keyword) {
+    /// Checks a line that says nothing about the shape. True where tinyobjloader is not to see it.
+    bool check_other(const Word &keyword) {
         const std::string_view name = keyword.text();
         if (name == "vn") {
             check_numbers(
-                keyword, false, [](uint64_t n) { return n == 3; }, "3 numbers");
+                keyword, names_ != nullptr, [](uint64_t n) { return n == 3; }, "3 numbers");
             ++so_far_.normals;
-        } else if (name == "vt") {
+            return names_ == nullptr;
+        }
+        if (name == "vt") {
             check_numbers(
-                keyword, false, [](uint64_t n) { return n >= 1 && n <= 3; }, "1 to 3 numbers");
+                keyword, names_ != nullptr, [](uint64_t n) { return n >= 1 && n <= 3; }, "1 to 3 numbers");
             ++so_far_.texcoords;
-        } else if (name == "l" || name == "p") {
+            return names_ == nullptr;
+        }
+        if (names_ && (name == "usemtl" || name == "mtllib")) return take_name(keyword), name == "mtllib";
+        if (name == "l" || name == "p") {
             lines_and_points_.add(lines_->place(keyword.begin), name);
         } else if (std::find(quiet_keywords.begin(), quiet_keywords.end(), name) == quiet_keywords.end()) {
             unknown_.add(lines_->place(keyword.begin), name);
+        }
+        return true;
+    }
+
+    /// Remembers what `usemtl` or `mtllib` names.
+    void take_name(const Word &keyword) {
+        const Word name = rest_of_line(keyword.end, lines_->end());
+        const bool is_library = keyword.text() == "mtllib";
+        if (name.text().empty() || !is_blank(*keyword.end)) {
+            return error(keyword.begin, words(in_quotes(keyword.text()), " takes the name of a ",
+                                              is_library ? "material library" : "material"));
+        }
+        const Place place = lines_->place(name.begin);
+        if (is_library) {
+            names_->libraries.push_back({std::string(name.text()), KeptPlace(place)});
+        } else if (auto [entry, is_new] = names_->materials.try_emplace(std::string(name.text())); is_new) {
+            entry->second = KeptPlace(place);
         }
     }
 
@@ -174,9 +161,7 @@ private:
             return error(word.begin, words(in_quotes(word.text()), " is too far out"),
                          "coordinates reach from -1e12 to 1e12");
         }
-        const std::string text = shortest(value);
-        if (text.size() > word.text().size()) return; // cannot be one of the last kind
-        std::fill(std::copy(text.begin(), text.end(), word.begin), word.end, ' ');
+        write_shortest(word, value);
     }
 
     void check_face(const Word &keyword) {
@@ -219,7 +204,10 @@ private:
                 }
             }
         }
-        return ends_word(at, end) ? at : corner_error(begin, end);
+        if (!ends_word(at, end)) return corner_error(begin, end);
+        // tinyobjloader would take the next corner's number for what is missing behind a last slash.
+        for (char *last = at; names_ && last[-1] == '/'; --last) last[-1] = ' ';
+        return at;
     }
 
     static bool is_part_end(const char *at, const char *end) { return ends_word(at, end) || *at == '/'; }
@@ -261,19 +249,21 @@ private:
 
     void tell_of_left_out() {
         if (lines_and_points_.lines > 0) {
-            problems_.warn(lines_and_points_.place(),
+            problems_.warn(lines_and_points_.first.place(),
                            words(counted(lines_and_points_.lines, "line"), " of points or lines (",
                                  in_quotes(lines_and_points_.keyword),
                                  " first): they have no surface and are left out"));
         }
         if (unknown_.lines > 0) {
-            problems_.warn(unknown_.place(), words(counted(unknown_.lines, "line"), " of a kind that is not read (",
-                                                   in_quotes(unknown_.keyword), " first)"));
+            problems_.warn(unknown_.first.place(),
+                           words(counted(unknown_.lines, "line"), " of a kind that is not read (",
+                                 in_quotes(unknown_.keyword), " first)"));
         }
     }
 
     std::span<char> text_;
     Problems &problems_;
+    ObjNames *names_;  ///< nullptr where only the shape is wanted
     ObjCounts counts_; ///< vertices, texture coordinates and normals: of the whole file
     ObjCounts so_far_; ///< before the current line
     ObjLines *lines_ = nullptr;
@@ -283,8 +273,8 @@ private:
 
 } // namespace
 
-ObjCounts check_obj(std::span<char> text, Problems &problems) {
-    return ObjChecker(text, problems).run();
+ObjCounts check_obj(std::span<char> text, Problems &problems, ObjNames *names) {
+    return ObjChecker(text, problems, names).run();
 }
 
 } // namespace glint

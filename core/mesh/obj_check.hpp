@@ -2,8 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
+#include <string>
+#include <vector>
 
+#include "text/kept_place.hpp"
 #include "text/problems.hpp"
 
 namespace glint {
@@ -17,6 +21,16 @@ struct ObjCounts {
     uint64_t triangles = 0; ///< once polygons are cut
 };
 
+/// What an OBJ file says about materials.
+struct ObjNames {
+    struct Library {
+        std::string names; ///< of one file, or of several with blanks between them
+        KeptPlace place;
+    };
+    std::vector<Library> libraries;             ///< `mtllib` lines, in order
+    std::map<std::string, KeptPlace> materials; ///< that `usemtl` lines name, with the first such line's place
+};
+
 /// Corners that one face may have. PolygonCutter needs milliseconds for most polygons of that size, but seconds for the
 /// worst, and that grows with the square.
 inline constexpr uint64_t max_face_corners = 100000;
@@ -25,7 +39,8 @@ inline constexpr uint64_t max_face_corners = 100000;
 ///
 /// tinyobjloader takes "nan", "0,5" or a relative index before the first vertex without a word, so nothing reaches it
 /// that has not passed here. The text is changed on the way, never in size: continued lines are joined, comments behind
-/// an element become blanks, and lines that a mesh has no use for become comments.
-[[nodiscard]] ObjCounts check_obj(std::span<char> text, Problems &problems);
+/// an element become blanks, and lines that a mesh has no use for become comments. With `names`, which are added to,
+/// normals, texture coordinates and `usemtl` lines are of use; without, only vertices and faces are.
+[[nodiscard]] ObjCounts check_obj(std::span<char> text, Problems &problems, ObjNames *names = nullptr);
 
 } // namespace glint

@@ -2,26 +2,16 @@
 #include "mesh/obj_parse.hpp"
 
 #include <istream>
-#include <streambuf>
 #include <vector>
 
 #include "mesh/polygon.hpp"
 
-// The library is compiled into ours, under a name of ours: a program that brings its own tinyobjloader, of whatever
-// version, must not end up with two definitions of one function.
-#define tinyobj glint_tinyobj
-#define TINYOBJLOADER_IMPLEMENTATION
-#include <tiny_obj_loader.h>
+#define TINYOBJLOADER_IMPLEMENTATION // here, and nowhere else
+#include "mesh/tinyobj.hpp"
 
 namespace glint {
 
 namespace {
-
-/// A stream over a text that is already in memory, without a copy.
-class TextStream : public std::streambuf {
-public:
-    explicit TextStream(std::span<char> text) { setg(text.data(), text.data(), text.data() + text.size()); }
-};
 
 /// Takes vertices and faces from tinyobjloader as it meets them: its other interface keeps a vector for each face, ten
 /// times the memory, and cuts concave quadrilaterals along the wrong diagonal.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sdl/lexer.hpp"
-#include "sdl/suggest.hpp"
+#include "text/suggest.hpp"
 #include "text/words.hpp"
 
 namespace glint {
@@ -46,14 +46,18 @@ public:
             return;
         }
         DialectSet dialects;
+        bool fits_any = false;
         for (const DirectiveForm &form : forms) {
             // A keyword that stands in the table once is evidence however badly its line goes on.
             if (!form.fits(line) && forms.size() > 1) continue;
             if (form.evidence.empty()) return;
+            fits_any = true;
             dialects = dialects | form.evidence;
         }
+        if (!fits_any) return;
+        note(line, forms, dialects);
         const auto same = [&](const Evidence &known) { return known.dialects == dialects; };
-        if (dialects.empty() || std::any_of(evidence_.begin(), evidence_.end(), same)) return;
+        if (std::any_of(evidence_.begin(), evidence_.end(), same)) return;
         evidence_.push_back({dialects, line.place(line.tokens[0]), described(line, forms)});
     }
 
@@ -73,6 +77,13 @@ public:
         return DetectedDialect{*dialect, deciding_lines(*dialect)};
     }
 
+    /// What there was to go by, for who wants to know more than the reason.
+    [[nodiscard]] std::vector<DialectEvidence> findings() const {
+        std::vector<DialectEvidence> all;
+        for (const Finding &finding : findings_) all.push_back(finding.evidence);
+        return all;
+    }
+
     /// The name behind the file's own `dialect` directive, if there is one.
     [[nodiscard]] std::optional<std::string_view> directive_name() const {
         return directive_ ? std::optional<std::string_view>(directive_->name) : std::nullopt;
@@ -84,6 +95,28 @@ private:
         Place place;
         std::string name;
     };
+
+    /// A kind of line: the same keyword and dialects, and where the keyword has several forms, as many arguments.
+    struct Finding {
+        const DirectiveForm *keyword;
+        uint64_t argument_count;
+        DialectSet dialects;
+        DialectEvidence evidence;
+    };
+
+    void note(const Line &line, std::span<const DirectiveForm> forms, DialectSet dialects) {
+        const uint64_t count = forms.size() > 1 ? line.argument_count : 0;
+        for (const Finding &known : findings_) {
+            const bool same = known.keyword == forms.data() && known.argument_count == count;
+            if (same && known.dialects == dialects) return;
+        }
+        Finding finding{forms.data(), count, dialects, {line.number, described(line, forms), {}}};
+        for (size_t i = 0; i < dialect_count; ++i) {
+            const auto dialect = static_cast<Dialect>(i);
+            if (dialects.has(dialect)) finding.evidence.dialects.emplace_back(dialect_name(dialect));
+        }
+        findings_.push_back(std::move(finding));
+    }
 
     std::optional<DetectedDialect> by_name(std::string_view name, const Place &place, std::string reason) {
         if (const auto dialect = dialect_named(name)) return DetectedDialect{*dialect, std::move(reason)};
@@ -182,6 +215,7 @@ private:
     Problems &problems_;
     std::optional<Directive> directive_;
     std::vector<Evidence> evidence_; ///< one entry for each distinct set of dialects
+    std::vector<Finding> findings_;  ///< one entry for each distinct kind of line
 };
 
 } // namespace
@@ -191,7 +225,8 @@ std::optional<DetectedDialect> detect_dialect(std::string_view text, std::string
     Lexer lexer(text);
     Line line;
     while (lexer.next(line)) detector.look_at(line);
-    const std::optional<DetectedDialect> detected = detector.decide(wanted);
+    std::optional<DetectedDialect> detected = detector.decide(wanted);
+    if (detected) detected->evidence = detector.findings();
     if (detected && !wanted.empty() && detector.directive_name().value_or(wanted) != wanted) {
         problems.warn(detector.directive_place(), words("the file says dialect ", in_quotes(*detector.directive_name()),
                                                         " and is read as ", wanted, ", as the caller asked"));

@@ -4,6 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include <glint/read.hpp>
 
 #include "sdl/dialects.hpp"
 #include "text/problems.hpp"
@@ -14,6 +17,7 @@ namespace glint {
 struct DetectedDialect {
     Dialect dialect;
     std::string reason; ///< "'max_depth' on line 6"
+    std::vector<DialectEvidence> evidence = {};
 };
 
 /// Looks at the whole text before any line of it is interpreted. `wanted` is the dialect the caller named, or empty; it

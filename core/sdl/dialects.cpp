@@ -85,6 +85,7 @@ constexpr DirectiveForm forms[] = {
     {"object file.obj r g b ka kd ks kt n [ior]",             paths,       paths,    read_path2005_object,   object},
     {"object file.obj dx dy dz r g b ka kd ks n kr kt ior",   DialectSet(cg) | own,
                                                                            cg,       read_moved_object,      object},
+    {"object file.obj 'mtl'",                                 all,         nothing,  read_mtl_object,        object},
     {"object a b c d e f g h j k r g b ka kd ks n kr kt ior", DialectSet(ray) | own,
                                                                            ray,      read_ray2005_quadric,   object},
     {"object a b c d e f g h j k r g b ka kd ks n kr kt ior", cg,          cg,       read_cg_quadric,        object},

@@ -48,6 +48,7 @@ void read_lightresolution(const Arguments &arguments, SceneDraft &draft);
 void read_mobile2013_object(const Arguments &arguments, SceneDraft &draft);
 void read_path2005_object(const Arguments &arguments, SceneDraft &draft);
 void read_moved_object(const Arguments &arguments, SceneDraft &draft);
+void read_mtl_object(const Arguments &arguments, SceneDraft &draft);
 void read_ray2005_quadric(const Arguments &arguments, SceneDraft &draft);
 void read_cg_quadric(const Arguments &arguments, SceneDraft &draft);
 void read_path2005_quadric(const Arguments &arguments, SceneDraft &draft);

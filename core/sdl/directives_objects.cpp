@@ -127,6 +127,10 @@ void read_moved_object(const Arguments &arguments, SceneDraft &draft) {
     add_mesh(arguments, draft, offset, read_ray2005_material(arguments, 4));
 }
 
+void read_mtl_object(const Arguments &arguments, SceneDraft &draft) {
+    draft.objects.push_back(read_model(arguments, 0, draft));
+}
+
 void read_ray2005_quadric(const Arguments &arguments, SceneDraft &draft) {
     add_quadric(draft, read_quadric(arguments, 0), read_ray2005_material(arguments, 10));
 }

@@ -1,14 +1,15 @@
 // The meshes of one scene file, each read once.
 #include "sdl/mesh_library.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 #include "math/vec.hpp"
+#include "mesh/read_model.hpp"
 #include "mesh/read_obj.hpp"
 #include "scene/triangle_area.hpp"
-#include "text/text_file.hpp"
+#include "text/asset_file.hpp"
 #include "text/words.hpp"
 
 namespace glint {
@@ -50,46 +51,46 @@ std::shared_ptr<const Mesh> MeshLibrary::moved(const std::shared_ptr<const Mesh>
 }
 
 MeshLibrary::Found MeshLibrary::look_up(const std::string &name, const Place &place, Problems &problems) {
-    const Result<fs::path> found = paths_.find(name);
-    if (!found.ok()) {
-        for (const Diagnostic &diagnostic : found.error().diagnostics) {
-            problems.error(place, diagnostic.message, diagnostic.hint, found.error().code);
-        }
-        return {};
-    }
-    std::error_code unknown;
-    fs::path real = fs::canonical(*found, unknown);
-    if (unknown) real = *found;
-    const auto [entry, is_new] = by_file_.try_emplace(std::move(real));
-    if (is_new) entry->second = read(*found, place, problems);
-    return {entry->second, *found};
+    const std::optional<fs::path> file = find_asset(paths_, name, place, problems);
+    if (!file) return {};
+    const auto [entry, is_new] = by_file_.try_emplace(real_path(*file));
+    if (is_new) entry->second = read(*file, place, problems);
+    return {entry->second, *file};
+}
+
+MeshLibrary::FoundModel MeshLibrary::find_model(std::string_view name, const Place &place, Problems &problems) {
+    const auto [known, is_first] = models_by_name_.try_emplace(std::string(name));
+    if (!is_first) return known->second;
+    const std::optional<fs::path> file = find_asset(paths_, name, place, problems);
+    if (!file) return {};
+    const auto [entry, is_new] = models_by_file_.try_emplace(real_path(*file));
+    if (is_new) entry->second = read_model(*file, place, problems);
+    return known->second = {entry->second, *file};
+}
+
+std::optional<TextFile> MeshLibrary::open(const fs::path &path, const Place &place, Problems &problems) {
+    std::optional<TextFile> text = read_asset(path, "mesh", options_.max_file_bytes, place, problems);
+    if (text && std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
+    return text;
 }
 
 std::shared_ptr<const Mesh> MeshLibrary::read(const fs::path &path, const Place &place, Problems &problems) {
-    const std::string name = path.string();
-    Result<TextFile> text = read_text_file(path, options_.max_file_bytes);
-    if (!text.ok()) {
-        for (const Diagnostic &diagnostic : text.error().diagnostics) {
-            problems.error(place, words("mesh ", path_in_quotes(name), ": ", diagnostic.message), diagnostic.hint,
-                           text.error().code);
-        }
-        return nullptr;
-    }
-    files_.push_back(path);
-    Result<MeshFile> mesh = read_obj_text(std::move(text).value(), name, options_.limits);
-    if (mesh.ok()) {
-        problems.adopt(std::move(mesh->warnings));
-        return std::move(mesh->mesh);
-    }
-    Error error = std::move(mesh).error();
-    for (Diagnostic &diagnostic : error.diagnostics) {
-        // A problem of the file as a whole shows no line: say which line wants the file.
-        if (diagnostic.line == 0 && diagnostic.hint.empty()) {
-            diagnostic.hint = words("named in ", problems.file(), ':', place.line, ':', place.column);
-        }
-    }
-    problems.adopt(std::move(error));
-    return nullptr;
+    std::optional<TextFile> text = open(path, place, problems);
+    if (!text) return nullptr;
+    Result<MeshFile> mesh = read_obj_text(std::move(*text), path.string(), options_.limits);
+    if (!mesh.ok()) return problems.adopt(std::move(mesh).error(), place), nullptr;
+    problems.adopt(std::move(mesh->warnings));
+    return std::move(mesh->mesh);
+}
+
+std::shared_ptr<const ModelFile> MeshLibrary::read_model(const fs::path &path, const Place &place, Problems &problems) {
+    std::optional<TextFile> text = open(path, place, problems);
+    if (!text) return nullptr;
+    Result<ModelFile> model =
+        read_model_text(std::move(*text), path, paths_.beside(path, "OBJ file"), options_, textures_);
+    if (!model.ok()) return problems.adopt(std::move(model).error(), place), nullptr;
+    problems.adopt(std::move(model->warnings));
+    return std::make_shared<const ModelFile>(std::move(model).value());
 }
 
 } // namespace glint

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -12,15 +13,18 @@
 
 #include <glint/read.hpp>
 
-#include "sdl/asset_paths.hpp"
+#include "mesh/texture_library.hpp"
+#include "text/asset_paths.hpp"
 #include "text/problems.hpp"
+#include "text/text_file.hpp"
 
 namespace glint {
 
 /// Reads OBJ files on demand and remembers them, by what they are called and by what they are.
 class MeshLibrary {
 public:
-    MeshLibrary(AssetPaths paths, const ReadOptions &options) : paths_(std::move(paths)), options_(options) {}
+    MeshLibrary(AssetPaths paths, const ReadOptions &options)
+        : paths_(std::move(paths)), options_(options), textures_(options) {}
 
     /// A mesh, and the file it was found in.
     struct Found {
@@ -35,6 +39,16 @@ public:
     [[nodiscard]] std::shared_ptr<const Mesh> moved(const std::shared_ptr<const Mesh> &mesh, const Vector &offset,
                                                     std::string_view name, const Place &place, Problems &problems);
 
+    /// A mesh with its materials, and the file it was found in.
+    struct FoundModel {
+        std::shared_ptr<const ModelFile> model; ///< nullptr where it cannot be had
+        std::filesystem::path file;
+    };
+
+    /// The model that a scene calls `name` at `place`. Why it cannot be had is reported at the first use. Models share
+    /// their textures.
+    [[nodiscard]] FoundModel find_model(std::string_view name, const Place &place, Problems &problems);
+
     [[nodiscard]] const AssetPaths &paths() const { return paths_; }
     /// Every file that was read, in order of first use.
     [[nodiscard]] std::vector<std::filesystem::path> take_files() { return std::move(files_); }
@@ -43,6 +57,11 @@ private:
     [[nodiscard]] Found look_up(const std::string &name, const Place &place, Problems &problems);
     [[nodiscard]] std::shared_ptr<const Mesh> read(const std::filesystem::path &path, const Place &place,
                                                    Problems &problems);
+    [[nodiscard]] std::shared_ptr<const ModelFile> read_model(const std::filesystem::path &path, const Place &place,
+                                                              Problems &problems);
+    /// The text of an OBJ file, which is then one of files_.
+    [[nodiscard]] std::optional<TextFile> open(const std::filesystem::path &path, const Place &place,
+                                               Problems &problems);
 
     AssetPaths paths_;
     const ReadOptions &options_;
@@ -52,6 +71,9 @@ private:
     std::unordered_map<std::string, Found> by_name_;
     std::map<Move, std::shared_ptr<const Mesh>> moved_;
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> by_file_; ///< keys without symbolic links
+    std::unordered_map<std::string, FoundModel> models_by_name_;
+    std::map<std::filesystem::path, std::shared_ptr<const ModelFile>> models_by_file_; ///< likewise
+    TextureLibrary textures_;
     std::vector<std::filesystem::path> files_;
 };
 

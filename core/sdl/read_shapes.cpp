@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "scene/quadric_shape.hpp"
@@ -30,6 +31,19 @@ Quadric checked(const Arguments &arguments, size_t i, const Quadric &q) {
     return q;
 }
 
+/// Reports the first mesh that passes the limit of the whole scene; false from there on.
+[[nodiscard]] bool count_triangles(const Arguments &arguments, size_t i, SceneDraft &draft, uint64_t count) {
+    const uint64_t limit = std::min(draft.options.limits.max_triangles, uint64_t{1} << 30);
+    const bool was_within = draft.triangle_count <= limit;
+    draft.triangle_count += count;
+    if (was_within && draft.triangle_count > limit) {
+        arguments.error(
+            i, words("with this mesh the scene has ", draft.triangle_count, " triangles, the limit is ", limit), {},
+            ErrorCode::limit_exceeded);
+    }
+    return draft.triangle_count <= limit;
+}
+
 } // namespace
 
 std::shared_ptr<const Mesh> read_mesh(const Arguments &arguments, size_t i, SceneDraft &draft, const Vector &offset,
@@ -37,18 +51,29 @@ std::shared_ptr<const Mesh> read_mesh(const Arguments &arguments, size_t i, Scen
     MeshLibrary::Found found = draft.meshes.find(arguments.word(i), arguments.place(i), arguments.problems());
     if (!found.mesh) return nullptr;
     *file = std::move(found.file);
-    const uint64_t limit = std::min(draft.options.limits.max_triangles, uint64_t{1} << 30);
-    const bool was_within = draft.triangle_count <= limit;
-    draft.triangle_count += found.mesh->triangles.size();
-    if (draft.triangle_count > limit) {
-        if (was_within) {
-            arguments.error(
-                i, words("with this mesh the scene has ", draft.triangle_count, " triangles, the limit is ", limit), {},
-                ErrorCode::limit_exceeded);
-        }
-        return nullptr; // before it is copied to another place
-    }
+    if (!count_triangles(arguments, i, draft, found.mesh->triangles.size())) return nullptr; // before it is copied
     return draft.meshes.moved(found.mesh, offset, arguments.word(i), arguments.place(i), arguments.problems());
+}
+
+ObjectDraft read_model(const Arguments &arguments, size_t i, SceneDraft &draft) {
+    ObjectDraft entry;
+    entry.from_mtl = true;
+    const MeshLibrary::FoundModel found =
+        draft.meshes.find_model(arguments.word(i), arguments.place(i), arguments.problems());
+    if (!found.model) return entry;
+    entry.file = found.file;
+    uint64_t triangles = 0;
+    for (const ModelPart &part : found.model->parts) {
+        Object object;
+        object.name = std::string(arguments.word(i));
+        if (!part.material_name.empty()) object.name += ':' + part.material_name;
+        object.mesh = part.mesh;
+        object.material = part.material;
+        triangles += part.mesh->triangles.size();
+        entry.parts.push_back(std::move(object));
+    }
+    if (!count_triangles(arguments, i, draft, triangles)) entry.parts.clear();
+    return entry;
 }
 
 Quadric read_quadric(const Arguments &arguments, size_t i) {

@@ -17,6 +17,10 @@ namespace glint {
 [[nodiscard]] std::shared_ptr<const Mesh> read_mesh(const Arguments &arguments, size_t i, SceneDraft &draft,
                                                     const Vector &offset, std::filesystem::path *file);
 
+/// Reads the mesh and the materials that argument i names, into the parts of an `object` line. Triangles are counted
+/// likewise; there are no parts where it cannot be had.
+[[nodiscard]] ObjectDraft read_model(const Arguments &arguments, size_t i, SceneDraft &draft);
+
 /// Ten coefficients from argument i on, in the convention of ray2005 (and of glint::Quadric): mixed and linear terms
 /// count twice. What is wrong with them is reported.
 [[nodiscard]] Quadric read_quadric(const Arguments &arguments, size_t i);

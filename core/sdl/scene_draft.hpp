@@ -44,7 +44,7 @@ struct LightDraft {
     float inner_degrees = 0.0f, outer_degrees = 0.0f; ///< of a spot light, as written
 };
 
-/// What the directives so far have said. Handlers fill it; read_scene() checks what only the whole file shows.
+/// What the directives so far have said. Handlers fill it; DraftReader checks what only the whole file shows.
 struct SceneDraft {
     SceneDraft(const ReadOptions &options_, MeshLibrary &meshes_) : options(options_), meshes(meshes_) {}
 
@@ -62,7 +62,7 @@ struct SceneDraft {
     Color background{0.0f};
     float ambient = 0.0f;
     OpticsSettings optics;
-    std::optional<bool> reflection_adds; ///< unset: as the dialect has it
+    std::optional<bool> reflection_adds; ///< unset: as the dialect has it; set once the whole file was read
     uint32_t shadow_rays = 1;            ///< of every mesh light
     uint32_t grid_width = 0, grid_height = 0;
     std::vector<ObjectDraft> objects;

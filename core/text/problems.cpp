@@ -70,6 +70,20 @@ void Problems::adopt(std::vector<Diagnostic> warnings) {
     }
 }
 
+void Problems::adopt(Problems other) {
+    if (!other.ok()) adopt(other.take_error());
+    adopt(other.take_warnings());
+}
+
+void Problems::adopt(Error error, const Place &place) {
+    for (Diagnostic &diagnostic : error.diagnostics) {
+        if (diagnostic.line == 0 && diagnostic.hint.empty()) {
+            diagnostic.hint = words("named in ", file_, ':', place.line, ':', place.column);
+        }
+    }
+    adopt(std::move(error));
+}
+
 Error Problems::take_error() {
     if (errors_left_out_ > 0) {
         errors_.push_back(left_out(Diagnostic::Severity::error, file_, errors_left_out_, "problem"));

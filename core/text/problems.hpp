@@ -34,6 +34,9 @@ public:
     /// Takes over what another file's reader found.
     void adopt(Error error);
     void adopt(std::vector<Diagnostic> warnings);
+    void adopt(Problems other);
+    /// The same, of a file that is named at `place` of this one: problems of it as a whole, which show no line, say so.
+    void adopt(Error error, const Place &place);
 
     /// Whether a further error would only be counted, so that there is no need to look for good words.
     [[nodiscard]] bool full() const { return errors_.size() >= most_kept; }

@@ -45,6 +45,22 @@ TEST_F(ObjFiles, with_endless_problems_show_a_hundred_and_count_the_rest) {
     EXPECT_EQ(mesh.error().diagnostics[100].message, "and 1900 more problems");
 }
 
+TEST_F(ObjFiles, that_are_no_text_are_told_so_once) {
+    const auto mesh = read_obj(write("bad.obj", std::string(three_vertices) + std::string("f 1\0 2 3\n", 10)));
+    ASSERT_FALSE(mesh.ok());
+    ASSERT_EQ(mesh.error().diagnostics.size(), 1u);
+    EXPECT_EQ(mesh.error().diagnostics[0].line, 4u);
+    EXPECT_EQ(mesh.error().diagnostics[0].column, 4u);
+    EXPECT_EQ(mesh.error().diagnostics[0].message, "this is not a text file: it has a NUL byte");
+}
+
+TEST_F(ObjFiles, that_are_no_text_have_their_lines_counted_whatever_ends_them) {
+    const auto mesh = read_obj(write("bad.obj", std::string("v 0 0 0\rv 1 0 0\r\nv 0 1 0\n\rf 1\0 2 3\n", 36)));
+    ASSERT_FALSE(mesh.ok());
+    EXPECT_EQ(mesh.error().diagnostics[0].line, 5u);
+    EXPECT_EQ(mesh.error().diagnostics[0].column, 4u);
+}
+
 TEST_F(ObjFiles, that_cannot_be_opened_are_named) {
     const auto expect = [](const std::filesystem::path &path, const std::string &message) {
         const auto mesh = read_obj(path);

@@ -5,6 +5,7 @@
 
 #include "mesh/read_obj.hpp"
 #include "support/mutate.hpp"
+#include "support/text_in_memory.hpp"
 
 namespace glint::test {
 namespace {
@@ -13,19 +14,12 @@ constexpr std::string_view good = "# a house\nmtllib house.mtl\no house\nv 0 0 0
                                   "v 0.5 1.5 0 1 0 0\nvt 0 0\nvn 0 0 1\ng walls\nusemtl red\ns off\nf 1 2 3 4\r\n"
                                   "f -1//1 4/1/1 3/1\nf 1 2 3 \\\n 5 4\nl 1 2\nvp 0.1\nf 1 2 5 # roof\n";
 
-TextFile as_file(const std::string &text) {
-    TextFile file;
-    file.bytes.reset(new char[text.size() + 1]);
-    file.size = text.copy(file.bytes.get(), text.size());
-    return file;
-}
-
 TEST(MutatedObjs, give_a_mesh_or_an_error) {
     Random random(2013);
     int meshes = 0, errors = 0;
     for (int i = 0; i < 5000; ++i) {
         const std::string text = mutated(good, random);
-        const auto mesh = read_obj_text(as_file(text), "mutated.obj", {});
+        const auto mesh = read_obj_text(text_in_memory(text), "mutated.obj", {});
         if (mesh.ok()) {
             ++meshes;
             const size_t count = mesh->mesh->positions.size();

@@ -1,4 +1,4 @@
-// Writing pictures to image files, in the format that the file's extension names.
+// Writing pictures to image files, in the format that the file's extension names, and reading textures from them.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,7 @@
 #include <glint/framebuffer.hpp>
 #include <glint/renderer.hpp>
 #include <glint/result.hpp>
+#include <glint/scene.hpp>
 
 namespace glint {
 
@@ -34,6 +35,15 @@ namespace glint {
 /// so.
 [[nodiscard]] Status write_image(const std::filesystem::path &file, const Framebuffer &picture,
                                  const RenderControl *control = nullptr);
+
+/// Reads an image file as a texture, for ReadOptions::read_texture; what format it has, its contents say. The values
+/// are taken as they are, without any curve: whole numbers as fractions of their largest one, floats cut off at 0
+/// and 1. Grey becomes red, green and blue, alpha is left aside.
+///
+/// Fails, naming the file, with not_found when it is missing or not a regular file, bad_input when it is broken or of
+/// an unknown format, limit_exceeded when it has more than 2^26 pixels, more than 2^20 a side or more than memory
+/// holds, unsupported when the image module or the library behind it is not installed.
+[[nodiscard]] Result<Texture> read_texture(const std::filesystem::path &file);
 
 /// Name and version of the library behind the image module, e.g. "OpenImageIO 2.4.7.1". Fails with unsupported when it
 /// is not installed.

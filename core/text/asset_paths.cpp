@@ -1,0 +1,116 @@
+// Where the files that a scene names are looked for, and where they may not be.
+#include "text/asset_paths.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "text/words.hpp"
+
+namespace glint {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path or_here(fs::path folder) {
+    return folder.empty() ? fs::path(".") : folder;
+}
+
+bool is_within(const fs::path &path, const fs::path &folder) {
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+} // namespace
+
+Result<AssetPaths> AssetPaths::create(const fs::path &scene_file, const ReadOptions &options) {
+    AssetPaths paths;
+    paths.allow_outside_root_ = options.allow_outside_root;
+    const fs::path shown = scene_file.parent_path();
+    const fs::path root = options.scene_root.empty() ? or_here(shown) : options.scene_root;
+    std::error_code no_root, no_folder;
+    paths.root_ = fs::canonical(root, no_root);
+    fs::path folder = fs::canonical(or_here(shown), no_folder);
+    if (no_root || !fs::is_directory(paths.root_, no_root)) {
+        return Error(ErrorCode::not_found, words("the scene root ", path_in_quotes(root.string()), " is not a folder"));
+    }
+    if (no_folder) {
+        return Error(ErrorCode::not_found,
+                     words("the folder ", path_in_quotes(shown.string()), " cannot be entered: ", no_folder.message()));
+    }
+    if (!is_within(folder, paths.root_) && !options.allow_outside_root) {
+        return Error(ErrorCode::bad_input,
+                     words("the scene file is not inside the scene root ", path_in_quotes(root.string())));
+    }
+    paths.look_from(shown, std::move(folder));
+    return paths;
+}
+
+void AssetPaths::look_from(const fs::path &shown, fs::path real) {
+    folders_.push_back({shown, real});
+    if (!is_within(real, root_)) return;
+    while (real != root_) {
+        real = real.parent_path();
+        folders_.push_back({real, real});
+    }
+}
+
+AssetPaths AssetPaths::beside(const fs::path &file, std::string_view kind) const {
+    AssetPaths paths;
+    paths.root_ = root_;
+    paths.allow_outside_root_ = allow_outside_root_;
+    paths.kind_ = kind;
+    std::error_code unknown;
+    const fs::path shown = file.parent_path();
+    fs::path real = fs::canonical(or_here(shown), unknown);
+    paths.look_from(shown, unknown ? shown : std::move(real));
+    return paths;
+}
+
+bool AssetPaths::holds(const fs::path &real) const {
+    return is_within(real, root_);
+}
+
+std::string AssetPaths::outside_message(std::string_view name) const {
+    return words("the path ", path_in_quotes(name), " leaves the scene root ", path_in_quotes(root_.string()));
+}
+
+Result<fs::path> AssetPaths::find(std::string_view name) const {
+    const fs::path relative(name); // which replaces the folder in "folder / relative" when it is absolute
+    std::string tried;
+    for (const Folder &folder : folders_) {
+        const fs::path candidate = folder.shown / relative;
+        if (!allow_outside_root_) {
+            const bool written_inside = holds((folder.real / relative).lexically_normal());
+            std::error_code unknown;
+            const fs::path real = fs::weakly_canonical(folder.real / relative, unknown);
+            const bool really_inside = unknown ? written_inside : holds(real);
+            if (written_inside && !really_inside) {
+                return Error(ErrorCode::bad_input, outside_message(name) + " through a symbolic link");
+            }
+            if (!really_inside) continue;
+        }
+        std::error_code unknown;
+        const fs::file_type type = fs::status(candidate, unknown).type();
+        if (type != fs::file_type::not_found) return candidate;
+        if (!tried.empty()) tried += ", ";
+        tried += candidate.lexically_normal().string();
+        if (relative.is_absolute()) break;
+    }
+    if (tried.empty()) {
+        return Error(ErrorCode::bad_input, outside_message(name), words("files are named relative to the ", kind_));
+    }
+    std::string hint = "looked for " + tried;
+    if (name.find('\\') != std::string_view::npos) hint += "; folders are separated by '/'";
+    return Error(ErrorCode::not_found, words("there is no file ", path_in_quotes(name)), std::move(hint));
+}
+
+std::optional<std::string> AssetPaths::output_problem(std::string_view name) const {
+    if (allow_outside_root_) return std::nullopt;
+    std::error_code unknown;
+    const fs::path real = fs::weakly_canonical(folders_.front().real / fs::path(name), unknown);
+    if (!unknown && holds(real)) return std::nullopt;
+    return outside_message(name);
+}
+
+} // namespace glint
