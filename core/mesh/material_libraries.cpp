@@ -36,11 +36,7 @@ void MaterialLibraries::read(const ObjNames::Library &line) {
         const auto end = static_cast<size_t>(std::find_if(rest.begin(), rest.end(), is_blank) - rest.begin());
         Place place = line.place.place();
         place.column += static_cast<uint32_t>(rest.data() - line.names.data());
-        if (const auto file = find_asset(paths_, rest.substr(0, end), place, problems_)) {
-            read_file(*file, place);
-        } else {
-            is_complete_ = false;
-        }
+        if (const auto file = find_asset(paths_, rest.substr(0, end), place, problems_)) read_file(*file, place);
         rest.remove_prefix(end);
         while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
     }
@@ -49,15 +45,9 @@ void MaterialLibraries::read(const ObjNames::Library &line) {
 void MaterialLibraries::read_file(const fs::path &file, const Place &place) {
     if (!seen_.insert(real_path(file)).second) return;
     std::optional<TextFile> text = read_asset(file, kind, options_.max_file_bytes, place, problems_);
-    if (!text) {
-        is_complete_ = false;
-        return;
-    }
+    if (!text) return;
     Result<MtlFile> library = read_mtl_text(std::move(*text), file.string());
-    if (!library.ok()) {
-        is_complete_ = false;
-        return problems_.adopt(std::move(library).error(), place);
-    }
+    if (!library.ok()) return problems_.adopt(std::move(library).error(), place);
     problems_.adopt(std::move(library->warnings));
     for (MtlMaterial &material : library->materials) {
         std::string name = material.name;
@@ -68,10 +58,7 @@ void MaterialLibraries::read_file(const fs::path &file, const Place &place) {
 
 Material MaterialLibraries::find(const std::string &name, const Place &place) {
     const auto found = materials_.find(name);
-    if (found == materials_.end()) {
-        if (is_complete_) tell_of_missing(name, place); // else a library that could not be read may well have it
-        return {};
-    }
+    if (found == materials_.end()) return tell_of_missing(name, place), Material();
     Entry &entry = found->second;
     MtlMaterial &material = entry.material;
     if (!material.texture.empty() && !entry.has_texture_yet) {
