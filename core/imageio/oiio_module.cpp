@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,6 +72,39 @@ bool reads_pictures(const std::string &format) {
     return true;
 }
 
+/// Channels that are read: one for grey, perhaps with alpha, else three.
+int wanted_channels(const OIIO::ImageSpec &spec) {
+    return spec.nchannels < 3 ? 1 : 3;
+}
+
+void read_samples(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, OIIO::TypeDesc type, void *samples,
+                  size_t pixel_bytes) {
+    const auto pixel_stride = static_cast<OIIO::stride_t>(pixel_bytes);
+    const bool is_read = input.read_image(0, 0, 0, wanted_channels(spec), type, samples, pixel_stride,
+                                          pixel_stride * static_cast<OIIO::stride_t>(spec.width));
+    // Of a TIFF that is cut off it returns true, with an error.
+    if (!is_read || input.has_error()) throw Failure{input.geterror()};
+}
+
+/// Divides by itself: the library multiplies by a reciprocal, and some values end up a rounding away.
+template <typename Whole> void decode_whole_numbers(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, float *rgb) {
+    const auto channels = static_cast<size_t>(wanted_channels(spec));
+    const size_t pixels = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height);
+    std::vector<Whole> samples(channels * pixels);
+    read_samples(input, spec, OIIO::BaseTypeFromC<Whole>::value, samples.data(), channels * sizeof(Whole));
+    const auto largest = static_cast<float>(std::numeric_limits<Whole>::max());
+    for (size_t i = 0; i < 3 * pixels; ++i) {
+        rgb[i] = static_cast<float>(samples[channels == 3 ? i : i / 3]) / largest;
+    }
+}
+
+void decode_floats(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, float *rgb) {
+    const size_t values = size_t{3} * static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height);
+    read_samples(input, spec, OIIO::TypeDesc::FLOAT, rgb, 3 * sizeof(float));
+    if (wanted_channels(spec) == 3) return;
+    for (size_t i = 0; i < values; i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
+}
+
 /// Returns false when the caller had no room.
 bool decode(const char *file, const glint_imageio_room &room) {
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(file);
@@ -86,14 +120,13 @@ bool decode(const char *file, const glint_imageio_room &room) {
     float *const rgb = room.ask(room.context, width, height);
     if (!rgb) return false;
 
-    const bool is_grey = spec.nchannels < 3; // perhaps with alpha
-    constexpr OIIO::stride_t pixel_stride = 3 * sizeof(float);
-    if (!input->read_image(0, 0, 0, is_grey ? 1 : 3, OIIO::TypeDesc::FLOAT, rgb, pixel_stride,
-                           pixel_stride * spec.width)) {
-        throw Failure{input->geterror()};
+    if (spec.format == OIIO::TypeDesc::UINT8) {
+        decode_whole_numbers<uint8_t>(*input, spec, rgb);
+    } else if (spec.format == OIIO::TypeDesc::UINT16) {
+        decode_whole_numbers<uint16_t>(*input, spec, rgb);
+    } else {
+        decode_floats(*input, spec, rgb);
     }
-    const size_t values = size_t{3} * width * height;
-    for (size_t i = 0; is_grey && i < values; i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
     return true;
 }
 

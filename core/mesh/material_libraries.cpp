@@ -38,11 +38,7 @@ void MaterialLibraries::read(const ObjNames::Library &line) {
         // Of a continued line only the first piece is kept; a name behind it is told of at the first name's place.
         const auto offset = static_cast<uint32_t>(rest.data() - line.names.data());
         if (place.column + offset <= place.source_line.size()) place.column += offset;
-        if (const auto file = find_asset(paths_, rest.substr(0, end), place, problems_)) {
-            read_file(*file, place);
-        } else {
-            is_complete_ = false;
-        }
+        if (const auto file = find_asset(paths_, rest.substr(0, end), place, problems_)) read_file(*file, place);
         rest.remove_prefix(end);
         while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
     }
@@ -51,15 +47,9 @@ void MaterialLibraries::read(const ObjNames::Library &line) {
 void MaterialLibraries::read_file(const fs::path &file, const Place &place) {
     if (!seen_.insert(real_path(file)).second) return;
     std::optional<TextFile> text = read_asset(file, kind, options_.max_file_bytes, place, problems_);
-    if (!text) {
-        is_complete_ = false;
-        return;
-    }
+    if (!text) return;
     Result<MtlFile> library = read_mtl_text(std::move(*text), file.string());
-    if (!library.ok()) {
-        is_complete_ = false;
-        return problems_.adopt(std::move(library).error(), place);
-    }
+    if (!library.ok()) return problems_.adopt(std::move(library).error(), place);
     problems_.adopt(std::move(library->warnings));
     for (MtlMaterial &material : library->materials) {
         std::string name = material.name;
@@ -70,10 +60,7 @@ void MaterialLibraries::read_file(const fs::path &file, const Place &place) {
 
 Material MaterialLibraries::find(const std::string &name, const Place &place) {
     const auto found = materials_.find(name);
-    if (found == materials_.end()) {
-        if (is_complete_) tell_of_missing(name, place); // else a library that could not be read may well have it
-        return {};
-    }
+    if (found == materials_.end()) return tell_of_missing(name, place), Material();
     Entry &entry = found->second;
     MtlMaterial &material = entry.material;
     if (!material.texture.empty() && !entry.has_texture_yet) {

@@ -27,7 +27,7 @@ public:
     void read(const ObjNames::Library &line);
 
     /// The material of this name, with its texture, which `usemtl` wants at `place`; one of the first library that has
-    /// one. What is not there is reported, with the most similar name.
+    /// one. What is not there is reported, with the most similar name; so call this only where read() found no problem.
     [[nodiscard]] Material find(const std::string &name, const Place &place);
 
     /// Every library that was read, in order.
@@ -50,7 +50,6 @@ private:
     std::map<std::string, Entry> materials_;
     std::vector<std::filesystem::path> files_;
     std::set<std::filesystem::path> seen_; ///< without symbolic links
-    bool is_complete_ = true;              ///< whether every library that is named could be read
 };
 
 } // namespace glint

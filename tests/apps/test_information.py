@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from glint_process import GlintTest
+from glint_process import GlintTest, needs_images
 
 
 class Info(GlintTest):
@@ -43,6 +43,32 @@ class Info(GlintTest):
         name = b"r\xffm.sdl".decode(errors="surrogateescape")
         (self.folder / "room.sdl").rename(self.folder / name)
         self.assertEqual(json.loads(self.glint("info", name, "--json").stdout)["triangles"], 6)
+
+
+class MaterialsFromMtl(GlintTest):
+    def setUp(self):
+        super().setUp()
+        floor = (self.folder / "floor.obj").read_text()
+        start = "mtllib floor.mtl\nusemtl wood\nvt 0 0\nvn 0 0 0\n"
+        self.write("floor.obj", start + floor.replace(" 2 3", "/1/1 2/1 3/1"))
+        self.write("room.sdl", (self.folder / "room.sdl").read_text() + "object floor.obj mtl\n")
+
+    @needs_images
+    def test_a_texture_is_read_from_its_image_file(self):
+        self.write("floor.mtl", "newmtl wood\nKd 0.5 0.25 0.125\nmap_Kd wood.png\n")
+        self.assertIn("there is no file 'wood.png'", self.glint("info", "room.sdl", expect=3).stderr)
+        (self.folder / "wood.png").write_text("no picture")
+        self.assertIn("wood.png': ", self.glint("info", "room.sdl", expect=3).stderr)
+        (self.folder / "wood.png").unlink()
+        plain = "\n".join(line for line in (self.folder / "room.sdl").read_text().splitlines() if "mtl" not in line)
+        self.glint("render", self.write("plain.sdl", plain), "-o", "wood.png")
+        info = json.loads(self.glint("info", "room.sdl", "--json").stdout)
+        self.assertEqual([item["name"] for item in info["objects"]][-1], "floor.obj:wood")
+        self.assertIn("zero", info["warnings"][0])
+
+    def test_flat_leaves_normals_aside(self):
+        self.write("floor.mtl", "newmtl wood\n")
+        self.assertEqual(json.loads(self.glint("info", "room.sdl", "--flat", "--json").stdout)["warnings"], [])
 
 
 class Version(GlintTest):
