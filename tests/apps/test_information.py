@@ -56,7 +56,7 @@ class Version(GlintTest):
 
 class Help(GlintTest):
     def test_every_command_helps_with_examples(self):
-        for command in ([], ["render"], ["info"], ["bench", "table"], ["bench", "frame"], ["bench", "kernels"]):
+        for command in ([], ["render"], ["info"], ["convert"], ["bench", "table"], ["bench", "frame"], ["bench", "kernels"]):
             with self.subTest(command):
                 done = self.glint(*command, "--help")
                 self.assertIn("Examples:", done.stdout)
@@ -64,7 +64,7 @@ class Help(GlintTest):
 
     def test_the_help_of_render_names_its_flags(self):
         out = self.glint("render", "--help").stdout
-        for flag in ("-o", "--size", "--depth", "--threads", "--accel", "--isa", "--hash", "--stats", "--max-pixels"):
+        for flag in ("-o", "--size", "--depth", "--threads", "--accel", "--isa", "--hash", "--stats", "--max-pixels", "--spp", "--pattern", "--transfer"):
             self.assertIn(flag, out)
 
 

@@ -19,11 +19,18 @@ struct RendererOptions {
     Isa isa = best_isa(); ///< one of available_isas(); any other counts as Isa::scalar
 };
 
+/// How a colour becomes the 8 bits of a pixel.
+enum class Transfer : uint8_t { linear, srgb };
+
 struct RenderOptions {
     /// Recursive rays in a row after the primary ray; unset = what the scene asks for.
     std::optional<uint32_t> max_depth;
     /// Unset = the scene's own camera.
     std::optional<Camera> camera;
+    /// 1 to max_samples; unset = what the scene asks for.
+    std::optional<uint32_t> samples_per_pixel = std::nullopt;
+    std::optional<SamplePattern> pattern = std::nullopt; ///< unset = the scene's
+    Transfer transfer = Transfer::linear;
 };
 
 /// Shared by a render in progress and whoever watches it, from any thread. Progress may be read and cancel() called at
