@@ -155,10 +155,11 @@ Command add_render_command(CLI::App &parser) {
     add_number(*render, "--depth", options->depth, depth_bounds, "Most recursive rays in a row (default: the scene's)");
     add_number(*render, "--spp", options->samples_per_pixel, {1, max_samples},
                "Samples a pixel (default: the scene's)");
-    add_choice(*render, "--pattern", options->pattern,
-               {{"centre", SamplePattern::centre},
-                {"stratified", SamplePattern::stratified},
-                {"jittered", SamplePattern::jittered}},
+    Choices<SamplePattern> patterns;
+    for (const SamplePattern pattern : {SamplePattern::centre, SamplePattern::stratified, SamplePattern::jittered}) {
+        patterns.emplace_back(sample_pattern_name(pattern), pattern);
+    }
+    add_choice(*render, "--pattern", options->pattern, patterns,
                "Where in a pixel its samples lie: in the middles of a grid, at random in its cells, or at random "
                "(default: the scene's)");
     add_choice(*render, "--transfer", options->transfer, {{"linear", Transfer::linear}, {"srgb", Transfer::srgb}},

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -141,6 +142,9 @@ enum class SamplePattern : uint8_t {
     stratified, ///< at random in the cells of that grid
     jittered,   ///< at random in the pixel
 };
+
+/// "centre", "stratified" or "jittered".
+[[nodiscard]] GLINT_API std::string_view sample_pattern_name(SamplePattern pattern);
 
 /// How the scene's author wants it rendered; a program may choose otherwise.
 struct PictureSettings {
