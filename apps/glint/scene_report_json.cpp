@@ -17,12 +17,14 @@ Json to_json(const glm::vec3 &v) {
     return Json::array({v.x, v.y, v.z});
 }
 
-template <typename Value> Json or_null(const std::optional<Value> &value) {
-    return value ? to_json(*value) : Json(nullptr);
-}
-
 Json to_json(float value) {
     return value;
+}
+
+Json to_json(const Quadric &q);
+
+template <typename Value> Json or_null(const std::optional<Value> &value) {
+    return value ? to_json(*value) : Json(nullptr);
 }
 
 Json to_json(const Quadric &q) {
