@@ -19,7 +19,8 @@ namespace {
 constexpr size_t most_listed = 32;
 
 std::string triple(const glm::vec3 &v) {
-    return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z);
+    const glm::vec3 shown = v + 0.0f; // takes the sign off a -0
+    return fmt::format("{:g} {:g} {:g}", shown.x, shown.y, shown.z);
 }
 
 /// What a quadric's measures are, with two blanks before each.
@@ -96,7 +97,7 @@ std::string surface_lines(const Scene &scene, size_t count, std::string (*line)(
 std::string dialect_lines(const SceneFile &file) {
     std::string text = fmt::format("dialect    {} ({})\n", file.dialect, file.dialect_reason);
     for (const DialectEvidence &evidence : file.dialect_evidence) {
-        text += fmt::format("  line {:<6} {:<25} is {}\n", evidence.line, evidence.what,
+        text += fmt::format("  line {:<6} {:<31} is {}\n", evidence.line, evidence.what,
                             fmt::join(evidence.dialects, " or "));
     }
     return text;

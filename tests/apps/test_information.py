@@ -82,7 +82,7 @@ class InfoOnAllKinds(GlintTest):
             r"samples +4 a pixel, jittered",
             r"seed +7",
             r"tone curve c / \(c \+ 0\.5\)",
-            r"paths +9 a pixel",
+            r"paths +9 a pixel, for path tracers only",
             r"fresnel +on",
             r"shadows +go through glass",
             r"quadrics +4",

@@ -76,7 +76,7 @@ struct Material {
     /// have, or takes the place of that share of it: (1 - kr - kt) local, as the dialect of 2013 has it.
     bool adds_to_local = false;
     /// Multiplies the colour, where the mesh has texture coordinates; may be nullptr.
-    std::shared_ptr<const Texture> texture;
+    std::shared_ptr<const Texture> texture = nullptr;
 };
 
 /// Something that is lit: a shape, which is a mesh or a quadric, and its material.
