@@ -38,8 +38,8 @@ struct DialectEvidence {
 /// A scene as it stood in a file, and what the file said besides.
 struct SceneFile {
     std::shared_ptr<const Scene> scene;
-    std::string dialect;                           ///< name of the SDL dialect the file was read as
-    std::string dialect_reason;                    ///< why: the directive, and its line, that decided
+    std::string dialect;        ///< name of the SDL dialect the file was read as
+    std::string dialect_reason; ///< why: the directive, and its line, that decided
     /// Every kind of line that speaks for some dialects, in the file's order.
     std::vector<DialectEvidence> dialect_evidence;
     std::optional<std::string> output_file;        ///< the `output` directive, as written
@@ -59,10 +59,10 @@ struct ConvertedScene {
     std::optional<std::filesystem::path> scene_root;
 };
 
-/// Reads an SDL file and writes what it says in the dialect `glint`: the picture is the same to the bit, and a file that
-/// was converted already stays as it is. The new file is meant to lie in `folder`, which exists: names of meshes are
-/// relative to it; the name of the output stays. Fails as read_scene() does, and where the new file could not name a
-/// mesh, because of a blank or '#' in its path.
+/// Reads an SDL file and writes what it says in the dialect `glint`: the picture is the same to the bit, and a file
+/// that was converted already stays as it is. The new file is meant to lie in `folder`, which exists: names of meshes
+/// are relative to it; the name of the output stays. Fails as read_scene() does, and where the new file could not name
+/// a mesh, because of a blank or '#' in its path.
 [[nodiscard]] GLINT_API Result<ConvertedScene>
 convert_scene(const std::filesystem::path &file, const std::filesystem::path &folder, const ReadOptions &options = {});
 
