@@ -11,6 +11,7 @@
 #include "bench/comparison_report.hpp"
 #include "bench/find_peer.hpp"
 #include "bench/report.hpp"
+#include "bench/unsupported_feature.hpp"
 #include "command.hpp"
 #include "console.hpp"
 #include "failure.hpp"
@@ -59,6 +60,10 @@ ExitCode run(BenchFrameOptions &options) {
     const Result<SceneFile> file = read_scene(*path, options.scene.read_options(*path));
     if (!file) return fail_reading(file.error());
     complain_about(*file);
+    if (const auto feature = bench::unsupported_feature(*file->scene)) {
+        complain(fmt::format("{}: the peer cannot draw {}; there is nothing to compare", path->string(), *feature));
+        return ExitCode::bad_input;
+    }
     if (someone_watches()) {
         options.comparison.on_cell = [](uint32_t size_px, uint32_t depth, unsigned threads) {
             complain(fmt::format("measuring {0}x{0}, depth {1}, {2} thread{3}", size_px, depth, threads,

@@ -11,6 +11,7 @@
 #include "bench/comparison_report.hpp"
 #include "bench/find_peer.hpp"
 #include "bench/report.hpp"
+#include "bench/unsupported_feature.hpp"
 #include "command.hpp"
 #include "console.hpp"
 #include "failure.hpp"
@@ -102,6 +103,10 @@ ExitCode run(BenchKernelsOptions &options) {
     const Result<Subject> subject =
         options.mesh_file.empty() ? read_scene_subject(options) : read_mesh_subject(options);
     if (!subject) return fail_reading(subject.error());
+    if (const auto shape = bench::unsupported_shape(*subject->scene)) {
+        complain(subject->name + ": the peer cannot trace " + *shape + "; there is nothing to compare");
+        return ExitCode::bad_input;
+    }
     if (options.size) options.comparison.size_px = *options.size;
     if (someone_watches()) {
         options.comparison.on_progress = [](const std::string &what) { complain(what); };

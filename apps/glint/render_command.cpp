@@ -34,6 +34,7 @@ nowhere when --hash or --stats is given.
 Examples:
   glint render cornell.sdl                          writes cornell.png
   glint render cornell.sdl -o big.exr --size 2048x2048 --depth 5
+  glint render cornell.sdl --spp 16 --pattern stratified
   glint render cornell.sdl --hash --threads 1       prints two lines, writes nothing)";
 
 struct RenderCommandOptions {
@@ -41,6 +42,9 @@ struct RenderCommandOptions {
     std::string output;
     std::optional<Size> size;
     std::optional<uint32_t> depth;
+    std::optional<uint32_t> samples_per_pixel;
+    std::optional<SamplePattern> pattern;
+    Transfer transfer = Transfer::linear;
     std::optional<uint32_t> threads;
     AccelKind accel = AccelKind::automatic;
     Isa isa = best_isa();
@@ -122,7 +126,12 @@ private:
 
     Result<RenderStatistics> render(Renderer &renderer, Framebuffer &picture, RenderControl &control) const {
         const ProgressBar progress(control);
-        return renderer.render(picture, {.max_depth = options_.depth, .camera = {}}, &control);
+        RenderOptions how;
+        how.max_depth = options_.depth;
+        how.samples_per_pixel = options_.samples_per_pixel;
+        how.pattern = options_.pattern;
+        how.transfer = options_.transfer;
+        return renderer.render(picture, how, &control);
     }
 
     const RenderCommandOptions &options_;
@@ -144,6 +153,18 @@ Command add_render_command(CLI::App &parser) {
         ->type_name("FILE");
     add_size(*render, "--size", options->size, "Picture size (default: the scene's)");
     add_number(*render, "--depth", options->depth, depth_bounds, "Most recursive rays in a row (default: the scene's)");
+    add_number(*render, "--spp", options->samples_per_pixel, {1, max_samples},
+               "Samples a pixel (default: the scene's)");
+    Choices<SamplePattern> patterns;
+    for (const SamplePattern pattern : {SamplePattern::centre, SamplePattern::stratified, SamplePattern::jittered}) {
+        patterns.emplace_back(sample_pattern_name(pattern), pattern);
+    }
+    add_choice(*render, "--pattern", options->pattern, patterns,
+               "Where in a pixel its samples lie: in the middles of a grid, at random in its cells, or at random "
+               "(default: the scene's)");
+    add_choice(*render, "--transfer", options->transfer, {{"linear", Transfer::linear}, {"srgb", Transfer::srgb}},
+               "How colours become 8 bits: as they are, like the SDL renderers (linear, the default), or "
+               "as displays expect them (srgb)");
     add_number(*render, "--threads", options->threads, thread_bounds, "Threads (default: one a processor)");
     add_choice(*render, "--accel", options->accel,
                {{"automatic", AccelKind::automatic},

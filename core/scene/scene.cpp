@@ -30,6 +30,18 @@ Camera Camera::look_at(Point eye, Point target, Vector up, float width, float he
     return {eye, Point(top_left), Vector(across), Vector(downward)};
 }
 
+std::string_view sample_pattern_name(SamplePattern pattern) {
+    switch (pattern) {
+    case SamplePattern::centre:
+        return "centre";
+    case SamplePattern::stratified:
+        return "stratified";
+    case SamplePattern::jittered:
+        return "jittered";
+    }
+    return "";
+}
+
 const Mesh *Scene::surface_mesh(uint32_t s) const {
     const SurfaceRef ref = surface(s);
     return ref.is_light ? lights_[ref.index].mesh.get() : objects_[ref.index].mesh.get();

@@ -1,10 +1,10 @@
 // How a scene file calls the files it names.
 #include "sdl/file_names.hpp"
 
-#include <algorithm>
 #include <string_view>
 #include <system_error>
 
+#include "text/folders.hpp"
 #include "text/number.hpp"
 #include "text/words.hpp"
 
@@ -61,10 +61,7 @@ void FileNames::keep(const std::string &name) {
 }
 
 void FileNames::reach(const fs::path &file) {
-    const auto [end, unused] = std::mismatch(root_.begin(), root_.end(), file.begin(), file.end());
-    fs::path common;
-    for (auto part = root_.begin(); part != end; ++part) common /= *part;
-    root_ = std::move(common);
+    root_ = common_folder(root_, file);
 }
 
 std::optional<fs::path> FileNames::scene_root() const {

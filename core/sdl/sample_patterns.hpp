@@ -8,8 +8,7 @@
 
 namespace glint {
 
-/// "centre", "stratified" or "jittered".
-[[nodiscard]] std::string_view sample_pattern_name(SamplePattern pattern);
+/// The pattern that sample_pattern_name() calls so.
 [[nodiscard]] std::optional<SamplePattern> sample_pattern_named(std::string_view name);
 
 } // namespace glint

@@ -1,10 +1,10 @@
 // Where the files that a scene names are looked for, and where they may not be.
 #include "text/asset_paths.hpp"
 
-#include <algorithm>
 #include <system_error>
 #include <utility>
 
+#include "text/folders.hpp"
 #include "text/words.hpp"
 
 namespace glint {
@@ -15,10 +15,6 @@ namespace {
 
 fs::path or_here(fs::path folder) {
     return folder.empty() ? fs::path(".") : folder;
-}
-
-bool is_within(const fs::path &path, const fs::path &folder) {
-    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
 } // namespace
@@ -98,11 +94,30 @@ Result<fs::path> AssetPaths::find(std::string_view name) const {
         if (relative.is_absolute()) break;
     }
     if (tried.empty()) {
-        return Error(ErrorCode::bad_input, outside_message(name), words("files are named relative to the ", kind_));
+        return Error(ErrorCode::bad_input, outside_message(name),
+                     words("files are named relative to the ", kind_) + wider_root_hint(relative));
     }
     std::string hint = "looked for " + tried;
     if (name.find('\\') != std::string_view::npos) hint += "; folders are separated by '/'";
+    hint += wider_root_hint(relative);
     return Error(ErrorCode::not_found, words("there is no file ", path_in_quotes(name)), std::move(hint));
+}
+
+/// "; --scene-root DIR would find X", where a folder above the scene has the file and the root keeps it from being
+/// found; else nothing.
+std::string AssetPaths::wider_root_hint(const fs::path &relative) const {
+    if (relative.is_absolute() || allow_outside_root_) return {};
+    for (fs::path folder = folders_.front().real;; folder = folder.parent_path()) {
+        const fs::path candidate = folder / relative;
+        std::error_code unknown;
+        if (fs::is_regular_file(candidate, unknown)) {
+            // The root must hold the folder that was looked in, the name as written and what it leads to.
+            fs::path root = common_folder(common_folder(root_, folder), candidate.lexically_normal());
+            root = common_folder(root, fs::weakly_canonical(candidate, unknown));
+            return words("; --scene-root ", root.string(), " would find ", candidate.lexically_normal().string());
+        }
+        if (folder == folder.root_path()) return {};
+    }
 }
 
 std::optional<std::string> AssetPaths::output_problem(std::string_view name) const {

@@ -23,7 +23,8 @@ public:
     [[nodiscard]] AssetPaths beside(const std::filesystem::path &file, std::string_view kind) const;
 
     /// The file that `name` stands for; it exists, and may still be a folder. Fails, with one diagnostic that names no
-    /// file, where the name leaves the root or leads nowhere: then every place that was tried is in the hint.
+    /// file, where the name leaves the root or leads nowhere: then every place that was tried is in the hint, and the
+    /// scene root that would let it be found, if there is one.
     [[nodiscard]] Result<std::filesystem::path> find(std::string_view name) const;
 
     /// Why a scene may not ask for its picture to be written to `name`, or nothing.
@@ -39,6 +40,7 @@ private:
     void look_from(const std::filesystem::path &shown, std::filesystem::path real);
     [[nodiscard]] bool holds(const std::filesystem::path &real) const;
     [[nodiscard]] std::string outside_message(std::string_view name) const;
+    [[nodiscard]] std::string wider_root_hint(const std::filesystem::path &relative) const;
 
     std::vector<Folder> folders_;     ///< in the order of looking
     std::filesystem::path root_;      ///< absolute, without symbolic links

@@ -1,6 +1,7 @@
 // Numbers as text.
 #include "text/shortest.hpp"
 
+#include <cmath>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -10,6 +11,10 @@
 namespace glint {
 
 std::string shortest(float value) {
+    // Most numbers of a scene are these: nothing is shorter than their digits, and looking for it takes a while.
+    if (std::abs(value) < 10000.0f && value == std::trunc(value)) {
+        return (std::signbit(value) ? "-" : "") + std::to_string(static_cast<int>(std::abs(value)));
+    }
     // Behind the point. Numbers that take more have a shorter form with an exponent.
     constexpr int most_digits = std::numeric_limits<float>::max_digits10 + 4;
     std::string best;

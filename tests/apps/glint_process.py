@@ -55,11 +55,11 @@ class GlintTest(unittest.TestCase):
     def command(self, *arguments):
         return [GLINT, *map(str, arguments)]
 
-    def glint(self, *arguments, expect=0, env=None, stdout=subprocess.PIPE):
-        """Runs glint in the folder; its exit code must be `expect`."""
+    def glint(self, *arguments, expect=0, env=None, stdout=subprocess.PIPE, cwd=None):
+        """Runs glint in the test's folder or in `cwd`; its exit code must be `expect`."""
         done = subprocess.run(
             self.command(*arguments),
-            cwd=self.folder,
+            cwd=cwd or self.folder,
             stdin=subprocess.DEVNULL,
             stdout=stdout,
             stderr=subprocess.PIPE,
@@ -71,9 +71,9 @@ class GlintTest(unittest.TestCase):
         self.assertEqual(done.returncode, expect, said)
         return done
 
-    def refused(self, *arguments, expect, saying):
+    def refused(self, *arguments, expect, saying, cwd=None):
         """Runs glint, which must end with exit code `expect` and say every one of the given words, as an error."""
-        done = self.glint(*arguments, expect=expect)
+        done = self.glint(*arguments, expect=expect, cwd=cwd)
         self.assertTrue(done.stderr.startswith("glint: "), done.stderr)
         for words in saying:
             self.assertIn(words, done.stderr)

@@ -121,6 +121,26 @@ class Refusals(GlintTest):
         self.refused("bench", "kernels", "--mesh", "missing.obj", expect=3, saying=["missing.obj"])
 
     @needs_embree
+    def test_scenes_that_a_peer_cannot_draw_are_not_compared(self):
+        scene = "dialect glint\n" + (self.folder / "room.sdl").read_text().split("object ")[0]
+        material = " 0.9 0.5 0.2 0.3 0.7 0 1 0 0.5 "
+        floor = f"object floor.obj 0 0 0{material}"
+        ball = f"objectquadric 1 1 1 0 0 0 0 0 3 8{material}1\n"
+        for text, words in (
+            (floor + "1.5\n", "refraction (object 'floor.obj')"),
+            (floor + "1\nreflection_adds on\n", "reflection that adds"),
+            (floor + "1\nlight_point 0 0 0 1 1 1 1\n", "lights without a mesh (light 'point')"),
+            (floor + "1\nnshadowrays 4\n", "soft shadows"),
+            (floor + "1\nsamples 4\n", "several samples"),
+            (floor + "1\ntonemapping 1\n", "tone curve"),
+            (floor + "1\n" + ball, "quadrics (object 'quadric')"),
+        ):
+            with self.subTest(words):
+                self.write("new.sdl", scene + text)
+                self.refused("bench", "frame", "--scene", "new.sdl", expect=3, saying=["peer cannot draw", words])
+        self.refused("bench", "kernels", "--scene", "new.sdl", expect=3, saying=["cannot trace quadrics"])
+
+    @needs_embree
     def test_a_report_that_cannot_be_written_fails(self):
         for command in (FRAME, KERNELS):
             self.refused(*command, "--threads", 1, "--json", "missing/a.json", expect=1, saying=["missing/a.json"])

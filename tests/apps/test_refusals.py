@@ -18,6 +18,9 @@ class Usage(GlintTest):
             (["render"], "SCENE"),
             (["render", "room.sdl", "--colour"], "--colour"),
             (["render", "room.sdl", "--accel", "octree"], "octree"),
+            (["render", "room.sdl", "--pattern", "random"], "centre|stratified|jittered"),
+            (["render", "room.sdl", "--transfer", "gamma"], "linear|srgb"),
+            (["convert"], "SCENE"),
             (["bench"], "subcommand"),
             (["bench", "table", "--surface", "paper"], "paper"),
         ):
@@ -30,6 +33,7 @@ class Usage(GlintTest):
             "--depth": ("-1", "1001", "deep", "1e2"),
             "--size": ("0x0", "0x10", "10x0", "10", "10x", "x10", "-1x10", "10x10x10", "10X10", "1e3x1e3"),
             "--max-pixels": ("0", "-5", "many"),
+            "--spp": ("0", "-1", "4097", "4.0", "many"),
         }.items():
             for value in values:
                 with self.subTest(flag=flag, value=value):
@@ -58,7 +62,7 @@ class Usage(GlintTest):
 
 class BadInput(GlintTest):
     def test_a_missing_scene_is_bad_input(self):
-        for command in (["render"], ["info"], ["bench", "table", "--scene"]):
+        for command in (["render"], ["info"], ["convert"], ["bench", "table", "--scene"]):
             self.refused(*command, "missing.sdl", expect=3, saying=["missing.sdl"])
 
     def test_a_folder_is_not_a_scene(self):
@@ -97,6 +101,7 @@ class Failure(GlintTest):
         for arguments in (
             ["info", "room.sdl"],
             ["info", "room.sdl", "--json"],
+            ["convert", "room.sdl"],
             ["render", "room.sdl", "--hash"],
             ["--version"],
             ["--help"],

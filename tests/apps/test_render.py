@@ -94,10 +94,31 @@ class Render(GlintTest):
         for output in ("../escaped.png", str(self.folder / "escaped.png")):
             with self.subTest(output):
                 self.write("inner/room.sdl", f"{scene}output {output}\n")
-                self.refused("render", "inner/room.sdl", expect=3, saying=[output])
-                self.assertFalse((self.folder / "escaped.png").exists())
-                self.glint("render", "inner/room.sdl", "--allow-outside-root")
+                # From inside the scene's folder and from somewhere else: then that folder is the root.
+                for cwd in (self.folder / "inner", "/", "/usr"):
+                    path = self.folder / "inner/room.sdl"
+                    self.refused("render", path, expect=3, saying=[output], cwd=cwd)
+                    self.assertFalse((self.folder / "escaped.png").exists())
+                self.glint("render", "inner/room.sdl", "--allow-outside-root", cwd=self.folder)
                 (self.folder / "escaped.png").unlink()
+
+    def test_the_current_folder_is_the_root_where_the_scene_lies_inside_it(self):
+        inner = self.folder / "Input/config"
+        inner.mkdir(parents=True)
+        (self.folder / "floor.obj").rename(self.folder / "Input/floor.obj")
+        scene = (self.folder / "room.sdl").read_text().replace("floor.obj", "Input/floor.obj")
+        self.write("Input/config/room.sdl", scene)
+        above = self.glint("render", "Input/config/room.sdl", "--hash").stdout
+        self.assertEqual(self.glint("render", inner / "room.sdl", "--hash").stdout, above)
+        self.assertEqual(self.glint("render", "room.sdl", "--hash", "--scene-root", "../..", cwd=inner).stdout, above)
+        for cwd in (inner, self.folder / "Input", "/usr", "/"):
+            hint = f"--scene-root {self.folder.resolve()} would find {self.folder.resolve()}/Input/floor.obj"
+            self.refused("render", inner / "room.sdl", "--hash", expect=3, saying=[hint], cwd=cwd)
+
+    def test_samples_pattern_and_transfer_are_taken(self):
+        for flags in (["--spp", 1], ["--spp", 4096, "--size", "2x2"], ["--transfer", "srgb"], ["--pattern", "jittered"]):
+            self.hashes(*flags)
+        self.assertEqual(self.hashes("--spp", 1, "--pattern", "centre", "--transfer", "linear"), self.hashes())
 
     def test_stats_name_times_rays_threads_and_tree(self):
         done = self.glint("render", "room.sdl", "--stats", "--threads", 2, "--depth", 0)

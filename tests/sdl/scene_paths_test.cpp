@@ -87,14 +87,38 @@ TEST_F(ScenePaths, that_lead_nowhere_tell_every_place_that_was_tried) {
                  "looked for " + in_folder("a/lamp.obj/x").string());
 }
 
+TEST_F(ScenePaths, that_a_folder_above_the_root_has_tell_of_it) {
+    write("Input/wall.obj", wall);
+    const auto looked_for = [&](const std::string &mesh) {
+        return "looked for " + in_folder("Input/config/" + mesh).string();
+    };
+    const auto expect_hint = [&](const std::string &mesh, const std::string &root) {
+        const auto scene = read("Input/config", mesh);
+        expect_error(scene, ErrorCode::not_found, "there is no file '" + mesh + "'",
+                     looked_for(mesh) + "; --scene-root " + real(root) + " would find " + real("Input/wall.obj"));
+        expect_found(read("Input/config", mesh, rooted_in(root)), in_folder("Input/wall.obj"));
+    };
+    expect_hint("wall.obj", "Input");
+    expect_hint("Input/wall.obj", "");
+    fs::create_symlink("Input/wall.obj", in_folder("link.obj"));
+    const auto scene = read("Input/config", "link.obj");
+    expect_error(scene, ErrorCode::not_found, "there is no file 'link.obj'",
+                 looked_for("link.obj") + "; --scene-root " + real("") + " would find " + real("") + "/link.obj");
+    fs::create_directories(in_folder("Input/folder.obj"));
+    expect_error(read("Input/config", "folder.obj"), ErrorCode::not_found, "there is no file 'folder.obj'",
+                 looked_for("folder.obj"));
+}
+
 TEST_F(ScenePaths, that_leave_the_root_are_refused) {
     write("wall.obj", wall);
     const auto outside = [&](const std::string &name) {
         return "the path '" + name + "' leaves the scene root '" + real("a") + "'";
     };
     const std::string hint = "files are named relative to the scene file";
-    expect_error(read("a", "../wall.obj"), ErrorCode::bad_input, outside("../wall.obj"), hint);
-    expect_error(read("a", "b/../../wall.obj"), ErrorCode::bad_input, outside("b/../../wall.obj"), hint);
+    const std::string wider = "; --scene-root " + real("") + " would find " + real("wall.obj");
+    fs::create_directories(in_folder("a/b"));
+    expect_error(read("a", "../wall.obj"), ErrorCode::bad_input, outside("../wall.obj"), hint + wider);
+    expect_error(read("a", "b/../../wall.obj"), ErrorCode::bad_input, outside("b/../../wall.obj"), hint + wider);
     expect_error(read("a", "/etc/passwd"), ErrorCode::bad_input, outside("/etc/passwd"), hint);
     expect_error(read("a", "../missing.obj"), ErrorCode::bad_input, outside("../missing.obj"), hint);
 }

@@ -4,6 +4,7 @@
 #include <glint/accel.hpp>
 #include <glint/framebuffer.hpp>
 #include <glint/isa.hpp>
+#include <glint/quadric.hpp>
 #include <glint/ray_query.hpp>
 #include <glint/read.hpp>
 #include <glint/renderer.hpp>

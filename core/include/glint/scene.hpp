@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -75,7 +76,7 @@ struct Material {
     /// have, or takes the place of that share of it: (1 - kr - kt) local, as the dialect of 2013 has it.
     bool adds_to_local = false;
     /// Multiplies the colour, where the mesh has texture coordinates; may be nullptr.
-    std::shared_ptr<const Texture> texture;
+    std::shared_ptr<const Texture> texture = nullptr;
 };
 
 /// Something that is lit: a shape, which is a mesh or a quadric, and its material.
@@ -141,6 +142,9 @@ enum class SamplePattern : uint8_t {
     stratified, ///< at random in the cells of that grid
     jittered,   ///< at random in the pixel
 };
+
+/// "centre", "stratified" or "jittered".
+[[nodiscard]] GLINT_API std::string_view sample_pattern_name(SamplePattern pattern);
 
 /// How the scene's author wants it rendered; a program may choose otherwise.
 struct PictureSettings {
