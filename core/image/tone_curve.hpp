@@ -5,8 +5,8 @@
 
 namespace glint {
 
-/// Through the tone curve c / (c + t), where there is one (t > 0), then through sRGB's transfer curve (IEC 61966-2-1), if
-/// asked for. What is not above 0 becomes 0 on either way.
+/// Through the tone curve c / (c + t), where there is one (t > 0), then through sRGB's transfer curve (IEC 61966-2-1),
+/// if asked for. What is not above 0 becomes 0 on either way.
 [[nodiscard]] inline float displayed(float c, float tone_scale, bool to_srgb) {
     if (tone_scale > 0.0f) {
         const float finite = c < 1e30f ? c : 1e30f;

@@ -72,9 +72,7 @@ inline ShadowRay shadow_ray(const LightShading &light, const IncomingLight &inco
 inline float unblocked_share(const KernelScene &scene, const LightShading &light, const ShadowRay &shadow,
                              uint32_t left) {
     if (scene.shadows_through_glass) return share_through_glass(scene, light, shadow.ray, shadow.t_max, left);
-    const auto can_block = [&](uint32_t id) {
-        return id != left && id - light.first_triangle >= light.triangle_count;
-    };
+    const auto can_block = [&](uint32_t id) { return id != left && id - light.first_triangle >= light.triangle_count; };
     const PreparedRay ray(shadow.ray, scene.geometry.bounds);
     return any_hit(scene.geometry, ray, shadow.t_max, can_block) ? 0.0f : 1.0f;
 }

@@ -24,18 +24,18 @@ struct TriangleDetail {
 
 /// A surface as shading needs it; products of a scene's constants are taken once.
 struct SurfaceShading {
-    bool is_light;         ///< shows `emission`, whatever else is set
-    bool is_smooth;        ///< some of its triangles have normals at their corners
-    Color emission;        ///< I * (r, g, b) of a light
-    Color ambient_color;   ///< ka * Ia * C
-    Color diffuse_color;   ///< kd * C
-    float specular;        ///< ks
-    float exponent;        ///< ke
-    float reflection;      ///< kr
-    float transmission;    ///< kt
-    float replaced;        ///< 1 where kr and kt take the place of local colour, 0 where they add to it
-    float ior;             ///< of what the surface encloses
-    Color highlight_color; ///< of the highlight, besides the light's
+    bool is_light;                 ///< shows `emission`, whatever else is set
+    bool is_smooth;                ///< some of its triangles have normals at their corners
+    Color emission;                ///< I * (r, g, b) of a light
+    Color ambient_color;           ///< ka * Ia * C
+    Color diffuse_color;           ///< kd * C
+    float specular;                ///< ks
+    float exponent;                ///< ke
+    float reflection;              ///< kr
+    float transmission;            ///< kt
+    float replaced;                ///< 1 where kr and kt take the place of local colour, 0 where they add to it
+    float ior;                     ///< of what the surface encloses
+    Color highlight_color;         ///< of the highlight, besides the light's
     const Texture *texture;        ///< or nullptr
     const TriangleDetail *details; ///< of its triangles, or nullptr where they are plain
     uint32_t first_triangle;       ///< the triangle_id of the first of them
@@ -61,8 +61,8 @@ struct LightShading {
     uint32_t sample, sample_count; ///< which of how many such places
 };
 
-/// Everything a kernel reads, by pointers that the render's caller keeps alive. The flags say that some surface or light
-/// needs more than triangles in one colour lit from fixed places do.
+/// Everything a kernel reads, by pointers that the render's caller keeps alive. The flags say that some surface or
+/// light needs more than triangles in one colour lit from fixed places do.
 struct KernelScene {
     GeometryView geometry;
     const SurfaceShading *surfaces;
@@ -70,10 +70,10 @@ struct KernelScene {
     uint32_t light_count;
     uint32_t seed;
     Color background;
-    bool may_branch;      ///< some surface both mirrors and transmits, or comes to
-    bool has_additions;   ///< some surface adds mirrored light to its own
-    bool has_refraction;  ///< some surface encloses something with an index of refraction
-    bool has_details;     ///< some surface is smooth or textured
+    bool may_branch;     ///< some surface both mirrors and transmits, or comes to
+    bool has_additions;  ///< some surface adds mirrored light to its own
+    bool has_refraction; ///< some surface encloses something with an index of refraction
+    bool has_details;    ///< some surface is smooth or textured
     /// All lights shine the same in all directions from one place, nothing lets them through, and no surface has
     /// details or coloured highlights.
     bool is_lit_plainly;

@@ -1,5 +1,6 @@
-// What packet kernels ask for one ray at a time, because few rays of few scenes need it: out of line, so that all kernels
-// share the one answer, and in plain floats, so that nothing compiled for wide vectors stays behind in its callers.
+// What packet kernels ask for one ray at a time, because few rays of few scenes need it: out of line, so that all
+// kernels share the one answer, and in plain floats, so that nothing compiled for wide vectors stays behind in its
+// callers.
 #pragma once
 
 #include "kernel/kernel.hpp"

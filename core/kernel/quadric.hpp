@@ -37,19 +37,19 @@ inline bool holds_point(const Box &box, const glm::dvec3 &org, const glm::dvec3 
 
 /// Least distance t > t_least >= 0 at which the ray meets the quadric within its bounds, NaN where it does not.
 ///
-/// Along the ray the quadric is A t^2 + 2 B t + C. Of the two forms of the roots, q / A and C / q with q = -(B +- sqrt(B^2
-/// - A C)), neither subtracts numbers of about the same size (Press et al., "Numerical Recipes", section 5.6), and where
-/// A is 0 the second is the only root. In double, since a float's 24 bits are gone as soon as a sphere is seen from a
-/// hundred radii away.
+/// Along the ray the quadric is A t^2 + 2 B t + C. Of the two forms of the roots, q / A and C / q with q = -(B +-
+/// sqrt(B^2
+/// - A C)), neither subtracts numbers of about the same size (Press et al., "Numerical Recipes", section 5.6), and
+/// where A is 0 the second is the only root. In double, since a float's 24 bits are gone as soon as a sphere is seen
+/// from a hundred radii away.
 inline float quadric_distance(const PlacedQuadric &q, const PreparedRay &ray, float t_least = 0.0f) {
     const glm::dvec3 org(ray.org), dir(ray.dir);
     const glm::dvec3 along = quadric_slope(q, dir), at = quadric_slope(q, org);
     const glm::dvec3 half_gradient(at.x + q.g, at.y + q.h, at.z + q.j);
     const double a = (dir.x * along.x + dir.y * along.y) + dir.z * along.z;
     const double b = (dir.x * half_gradient.x + dir.y * half_gradient.y) + dir.z * half_gradient.z;
-    const double c = ((org.x * (half_gradient.x + q.g) + org.y * (half_gradient.y + q.h)) +
-                      org.z * (half_gradient.z + q.j)) +
-                     q.k;
+    const double c =
+        ((org.x * (half_gradient.x + q.g) + org.y * (half_gradient.y + q.h)) + org.z * (half_gradient.z + q.j)) + q.k;
     const double discriminant = b * b - a * c;
     if (!(discriminant >= 0.0)) return std::numeric_limits<float>::quiet_NaN();
     const double root = std::sqrt(discriminant);
@@ -64,7 +64,8 @@ inline float quadric_distance(const PlacedQuadric &q, const PreparedRay &ray, fl
     return std::numeric_limits<float>::quiet_NaN();
 }
 
-/// Unit normal at a point of the quadric: the gradient, rounded once. At a cone's tip, where there is none, `otherwise`.
+/// Unit normal at a point of the quadric: the gradient, rounded once. At a cone's tip, where there is none,
+/// `otherwise`.
 inline glm::vec3 quadric_normal(const PlacedQuadric &q, const glm::vec3 &point, const glm::vec3 &otherwise) {
     const glm::dvec3 at = quadric_slope(q, glm::dvec3(point));
     const glm::dvec3 n(at.x + q.g, at.y + q.h, at.z + q.j);

@@ -1,9 +1,9 @@
 // What becomes of a ray where a transmissive surface parts two media.
 //
-// Which side of a surface is inside is not asked of its winding, which in old files is anybody's guess: a ray that meets
-// a surface it is not inside of goes in, any other comes out. The media that a ray is inside of are a stack, the innermost
-// first; it runs in that one, in vacuum where there is none. Coming out of a medium that lies deeper in the stack (two
-// overlap) changes nothing but the stack. Of more than Media::most the outermost are forgotten.
+// Which side of a surface is inside is not asked of its winding, which in old files is anybody's guess: a ray that
+// meets a surface it is not inside of goes in, any other comes out. The media that a ray is inside of are a stack, the
+// innermost first; it runs in that one, in vacuum where there is none. Coming out of a medium that lies deeper in the
+// stack (two overlap) changes nothing but the stack. Of more than Media::most the outermost are forgotten.
 #pragma once
 
 #include <cmath>
@@ -42,9 +42,9 @@ struct Refraction {
     Media media;      ///< of the transmitted ray
 };
 
-/// Snell's law, in the form of Heckbert (1989, "Derivation of refraction formulas", in Glassner, "An introduction to ray
-/// tracing"); total internal reflection where it has no solution; Fresnel's equations for unpolarised light where the
-/// scene asks. `normal` faces the ray, both are unit vectors.
+/// Snell's law, in the form of Heckbert (1989, "Derivation of refraction formulas", in Glassner, "An introduction to
+/// ray tracing"); total internal reflection where it has no solution; Fresnel's equations for unpolarised light where
+/// the scene asks. `normal` faces the ray, both are unit vectors.
 inline Refraction refract(const KernelScene &scene, const Media &media, uint32_t surface, const glm::vec3 &dir,
                           const glm::vec3 &normal) {
     Refraction result{dir, 0.0f, media_behind(media, surface)};

@@ -48,8 +48,7 @@ Color local_color(const KernelScene &scene, const SurfacePoint &point, const glm
         float highlight = 0.0f;
         if (surface.specular > 0.0f) {
             // R.V with R = 2 (N.L) N - L.
-            const float r_v =
-                (2.0f * n_l) * dot(point.normal, to_viewer) - dot(incoming.to_light, to_viewer);
+            const float r_v = (2.0f * n_l) * dot(point.normal, to_viewer) - dot(incoming.to_light, to_viewer);
             highlight = surface.specular * pow_unit(r_v > 0.0f ? r_v : 0.0f, surface.exponent);
         }
         for (int channel = 0; channel < 3; ++channel) {

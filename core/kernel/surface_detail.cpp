@@ -14,8 +14,8 @@ struct Weights {
     float a, b, c;
 };
 
-/// Of the point of the triangle that is nearest along its normal's main axis: areas of the triangle's shadow on the plane
-/// across that axis, in double.
+/// Of the point of the triangle that is nearest along its normal's main axis: areas of the triangle's shadow on the
+/// plane across that axis, in double.
 Weights weights_at(const TriangleCorners &corners, const glm::vec3 &point, const glm::vec3 &facet) {
     const float x = std::abs(facet.x), y = std::abs(facet.y), z = std::abs(facet.z);
     const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;

@@ -40,7 +40,8 @@ inline SurfacePoint surface_point(const KernelScene &scene, const PreparedRay &r
     point.scale = larger(larger(max_abs(point.position), max_abs(way)), scene.offset_floor);
     const bool is_quadric = hit.triangle_id >= scene.geometry.triangle_count;
     const glm::vec3 normal =
-        is_quadric ? quadric_normal(scene.geometry.quadrics.by_number(hit.triangle_id - scene.geometry.triangle_count), point.position, ray.dir)
+        is_quadric ? quadric_normal(scene.geometry.quadrics.by_number(hit.triangle_id - scene.geometry.triangle_count),
+                                    point.position, ray.dir)
                    : triangle.normal;
     point.facet = dot(normal, ray.dir) > 0.0f ? -normal : normal;
     point.normal = point.facet;

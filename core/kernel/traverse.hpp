@@ -145,8 +145,8 @@ inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, flo
     return best;
 }
 
-/// The nearest hit behind another one at t <= t_max, by the same order: farther or, at the same t, with a greater id. Of
-/// what can_block(id) allows.
+/// The nearest hit behind another one at t <= t_max, by the same order: farther or, at the same t, with a greater id.
+/// Of what can_block(id) allows.
 template <typename CanBlock>
 Hit next_hit(const GeometryView &geometry, const PreparedRay &ray, const Hit &last, float t_max, CanBlock &&can_block) {
     Hit best{t_max, no_triangle};
@@ -168,8 +168,8 @@ Hit next_hit(const GeometryView &geometry, const PreparedRay &ray, const Hit &la
     return best;
 }
 
-/// Whether any triangle or quadric that can_block(id) allows is met at 0 < t < t_max. Meant for shadow rays, which begin
-/// and end within the scene and so need not be clipped to it.
+/// Whether any triangle or quadric that can_block(id) allows is met at 0 < t < t_max. Meant for shadow rays, which
+/// begin and end within the scene and so need not be clipped to it.
 template <typename CanBlock>
 bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, CanBlock &&can_block) {
     bool blocked = false;

@@ -1,37 +1,37 @@
-// What an eye stands in: closed meshes are asked for the solid angle that they cover, seen from there.
+// What an eye stands in: rays from inside a closed mesh meet it an odd number of times.
 #include "render/eye_media.hpp"
 
-#include <cmath>
-
+#include "kernel/intersect.hpp"
 #include "math/box.hpp"
 
 namespace glint {
 
 namespace {
 
-double dot(const glm::dvec3 &a, const glm::dvec3 &b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
+/// Whether a ray from the eye meets the mesh an odd number of times, and so leaves it for good once more than it enters
+/// it.
+bool leaves(const Mesh &mesh, const Ray &ray, const Box &bounds) {
+    const PreparedRay prepared(ray, bounds);
+    bool odd = false;
+    for (const Triangle &t : mesh.triangles) {
+        if (intersect(prepared, {mesh.positions[t.a], mesh.positions[t.b], mesh.positions[t.c]}) > 0.0f) odd = !odd;
+    }
+    return odd;
 }
 
-/// Signed solid angle of a triangle (van Oosterom & Strackee 1983, "The solid angle of a plane triangle").
-double solid_angle(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dvec3 &c) {
-    const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
-    const glm::dvec3 bc(b.y * c.z - b.z * c.y, b.z * c.x - b.x * c.z, b.x * c.y - b.y * c.x);
-    return 2.0 * std::atan2(dot(a, bc), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-}
-
-/// A closed mesh covers the whole sphere of directions from inside, and nothing from outside, however it is wound.
+/// However the mesh is wound. Edges, which a ray meets twice, are hard to hit from three directions at once.
 bool holds(const Mesh &mesh, const Point &eye) {
     Box bounds;
     for (const Point &p : mesh.positions) bounds.extend(p);
     for (int axis = 0; axis < 3; ++axis) {
         if (!(eye[axis] > bounds.lo[axis] && eye[axis] < bounds.hi[axis])) return false;
     }
-    double covered = 0.0;
-    const auto seen = [&](uint32_t i) { return glm::dvec3(mesh.positions[i]) - glm::dvec3(eye); };
-    for (const Triangle &t : mesh.triangles) covered += solid_angle(seen(t.a), seen(t.b), seen(t.c));
-    constexpr double half_sphere = 6.283185307179586;
-    return std::abs(covered) > half_sphere;
+    int votes = 0;
+    for (const glm::vec3 &dir : {glm::vec3(0.5773f, 0.6131f, 0.5394f), glm::vec3(-0.7253f, 0.3141f, -0.6127f),
+                                 glm::vec3(0.2718f, -0.9173f, 0.2911f)}) {
+        votes += leaves(mesh, {eye, dir}, bounds) ? 1 : -1;
+    }
+    return votes > 0;
 }
 
 bool holds(const Quadric &q, const Point &eye) {

@@ -80,8 +80,8 @@ Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptio
     const PictureSettings &picture = scene.picture();
     const uint32_t samples = options.samples_per_pixel.value_or(picture.samples_per_pixel);
     if (samples < 1 || samples > max_samples) {
-        return Error(ErrorCode::bad_input, "a picture of " + std::to_string(samples) + " samples a pixel, expected 1 to " +
-                                               std::to_string(max_samples));
+        return Error(ErrorCode::bad_input, "a picture of " + std::to_string(samples) +
+                                               " samples a pixel, expected 1 to " + std::to_string(max_samples));
     }
     frame.samples = sample_grid(samples, options.pattern.value_or(picture.pattern), picture.seed);
     frame.tone_scale = picture.tone_scale;

@@ -16,6 +16,9 @@ namespace glint {
 
 namespace {
 
+/// Depth of scenes that give none and have something to look through: into a ball behind another, and out again.
+constexpr uint32_t depth_of_glass = 5;
+
 bool is_number(std::string_view word) {
     float value = 0.0f;
     return !read_number(word, value);
@@ -143,8 +146,24 @@ void DraftReader::check_whole() {
     apply_settings();
 }
 
+/// A scene of a path tracer's needs no depth. The default of one ray would leave its glass dark, since none would come
+/// out of it again.
+void DraftReader::choose_depth() {
+    if (given_.contains(read_max_depth)) return;
+    for (const ObjectDraft &entry : draft_.objects) {
+        for (const Object &object : entry.parts) {
+            if (!(object.material.transmission > 0.0f) || object.material.ior == 1.0f) continue;
+            draft_.picture.max_depth = depth_of_glass;
+            return problems_.warn({},
+                                  words("no depth is given, and the scene has glass: ", depth_of_glass, " is taken"),
+                                  "a line 'reflections n' says how deep rays go");
+        }
+    }
+}
+
 /// Settings that stand for every light and object, wherever in the file they are.
 void DraftReader::apply_settings() {
+    choose_depth();
     const bool adds = draft_.reflection_adds.value_or(adds_reflections(dialect_.dialect));
     draft_.reflection_adds = adds;
     for (ObjectDraft &entry : draft_.objects) {

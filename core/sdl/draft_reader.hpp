@@ -47,6 +47,7 @@ private:
     void tell_twice(const Line &line, const DirectiveForm &form, const First &first);
     void tell_wrong_count(const Line &line, const DirectiveForm &form);
     void check_whole();
+    void choose_depth();
     void apply_settings();
 
     const DetectedDialect &dialect_;

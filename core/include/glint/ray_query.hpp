@@ -30,7 +30,8 @@ inline constexpr uint32_t no_triangle = UINT32_MAX;
 /// Where the rays of a batch end; each pointer leads to `count` elements.
 struct HitBatch {
     float *t = nullptr;              ///< t_max where nothing is hit
-    uint32_t *triangle_id = nullptr; ///< in the scene's numbering; of several at the same t the lowest
+    /// In the scene's numbering, in which quadrics come behind the triangles; of several at the same t the lowest.
+    uint32_t *triangle_id = nullptr;
 };
 
 /// Answers questions about rays on the calling thread. Immutable: any number of threads may ask at once.

@@ -51,8 +51,8 @@ HWY_INLINE Floats highlight_of(const SurfaceLanes &surfaces, uint32_t lanes, con
     if ((bits_of(shines) & lanes) == 0) return hn::Zero(floats);
     const Floats exponent = surfaces.number(&SurfaceShading::exponent);
     const Floats r_v = (splat(2.0f) * n_l) * dot(normal, to_viewer) - dot(to_light, to_viewer);
-    return hn::IfThenElseZero(
-        shines, specular * pow_unit(hn::IfThenElseZero(hn::Gt(r_v, hn::Zero(floats)), r_v), exponent));
+    return hn::IfThenElseZero(shines,
+                              specular * pow_unit(hn::IfThenElseZero(hn::Gt(r_v, hn::Zero(floats)), r_v), exponent));
 }
 
 /// A light's diffuse and specular share, added to `color` in the lanes that it reaches.
@@ -105,8 +105,8 @@ HWY_NOINLINE uint32_t add_any_local_colors(const KernelScene &scene, TileWork &w
         for_each_vector(reached, [&](uint32_t ray, uint32_t lanes) {
             const DistinctLanes numbers(points.surface + ray, points.lit.lanes(ray));
             const SurfaceLanes surfaces(scene, numbers);
-            points.local.set(
-                ray, with_any_light(scene, scene.lights[i], work, surfaces, ray, lanes, points.local.at(ray)));
+            points.local.set(ray,
+                             with_any_light(scene, scene.lights[i], work, surfaces, ray, lanes, points.local.at(ray)));
         });
     }
     for_each_vector(points.lit, [&](uint32_t ray, uint32_t lanes) {

@@ -1,5 +1,5 @@
-// Where a vector of rays meets a quadric. The arithmetic is that of kernel/quadric.hpp, operation by operation; read that
-// first.
+// Where a vector of rays meets a quadric. The arithmetic is that of kernel/quadric.hpp, operation by operation; read
+// that first.
 #pragma once
 
 #include "accel/quadric_tree.hpp"
@@ -94,10 +94,9 @@ HWY_INLINE Points quadric_normals(const PlacedQuadric &q, const Points &point, c
     const auto as_flag = [](Doubles l) {
         return hn::IfThenElse(hn::Lt(splat_double(0.0), l), splat_double(1.0), splat_double(0.0));
     };
-    const FloatMask has_length =
-        hn::Gt(demote({as_flag(length.lower), as_flag(length.upper)}), hn::Zero(floats));
-    return either(has_length,
-                  {demote({lower.x, upper.x}), demote({lower.y, upper.y}), demote({lower.z, upper.z})}, otherwise);
+    const FloatMask has_length = hn::Gt(demote({as_flag(length.lower), as_flag(length.upper)}), hn::Zero(floats));
+    return either(has_length, {demote({lower.x, upper.x}), demote({lower.y, upper.y}), demote({lower.z, upper.z})},
+                  otherwise);
 }
 
 } // namespace glint::HWY_NAMESPACE

@@ -98,8 +98,8 @@ private:
             FloatMask is_nearer = hn::Lt(distance, best);
             if constexpr (!any_hit) {
                 const Uints best_id = hn::Load(uints, rays_.triangle_id + ray);
-                is_nearer = hn::Or(is_nearer, hn::And(hn::Eq(distance, best),
-                                                      hn::RebindMask(floats, hn::Lt(id, best_id))));
+                is_nearer =
+                    hn::Or(is_nearer, hn::And(hn::Eq(distance, best), hn::RebindMask(floats, hn::Lt(id, best_id))));
             }
             const FloatMask hit = hn::And(is_nearer, hn::Gt(distance, hn::Zero(floats)));
             const uint32_t hit_lanes = bits_of(hit) & lanes;

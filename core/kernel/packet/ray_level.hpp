@@ -10,10 +10,10 @@ namespace glint::HWY_NAMESPACE {
 struct RayLevel {
     RayGroup rays;
     alignas(64) float weight[group_size];
-    alignas(64) uint32_t left_surface[group_size]; ///< of the triangle that a ray leaves
+    alignas(64) uint32_t left_surface[group_size];       ///< of the triangle that a ray leaves
     alignas(64) uint32_t media[Media::most][group_size]; ///< that the rays run in, where the scene has refraction
     RaySelection selection;
-    bool is_even; ///< of primary rays: they go through the same place of each pixel
+    bool is_even;   ///< of primary rays: they go through the same place of each pixel
     uint32_t depth; ///< recursive rays before these, themselves included
 };
 

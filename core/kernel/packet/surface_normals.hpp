@@ -52,7 +52,7 @@ HWY_NOINLINE Points add_details(const KernelScene &scene, const uint32_t *triang
             tint[axis][i] = color[axis];
         }
     }
-    const auto load = [](const float (*from)[lane_count]) {
+    const auto load = [](const float(*from)[lane_count]) {
         return Points{hn::Load(floats, from[0]), hn::Load(floats, from[1]), hn::Load(floats, from[2])};
     };
     points.facet.set(ray, facet);

@@ -45,7 +45,8 @@ public:
           to_corner_{splat(frame.camera.top_left.x - frame.camera.eye.x),
                      splat(frame.camera.top_left.y - frame.camera.eye.y),
                      splat(frame.camera.top_left.z - frame.camera.eye.z)},
-          right_(points_of(frame.camera.right)), down_(points_of(frame.camera.down)) {}
+          right_(points_of(frame.camera.right)),
+          down_(points_of(frame.camera.down)) {}
 
     /// What depends on the column alone, and on the row; their sum is the direction.
     [[nodiscard]] HWY_INLINE Points column(Floats x) const {

@@ -145,10 +145,9 @@ trace_quarters(const TraceQuestion &question, RayGroup &rays, RaySelection &sele
 }
 
 /// Traces the selected rays through the scene's triangles.
-template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace_triangles(const TraceQuestion &question,
-                                                                              RayGroup &rays, RaySelection &selection,
-                                                                              BeamHistory &history,
-                                                                              const RayHint &hint) {
+template <bool shares_origin, bool any_hit>
+HWY_NOINLINE void trace_triangles(const TraceQuestion &question, RayGroup &rays, RaySelection &selection,
+                                  BeamHistory &history, const RayHint &hint) {
     if (selection.empty() || question.geometry.triangle_count == 0) return;
     if (question.geometry.wide_nodes) {
         trace_streams<shares_origin, any_hit>(question, rays, selection, history, hint);
