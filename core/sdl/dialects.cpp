@@ -149,14 +149,20 @@ bool DirectiveForm::starts_like(const Line &line) const {
     return is_path(0) != starts_with_number;
 }
 
-bool DirectiveForm::fits(const Line &line) const {
-    if (line.argument_count < least_arguments() || line.argument_count > most_arguments()) return false;
-    if (!starts_like(line)) return false;
-    for (size_t i = 0; i < line.argument_count; ++i) {
+bool DirectiveForm::has_words_of(const Line &line) const {
+    const size_t needed = least_arguments();
+    for (size_t i = 0; i < most_arguments(); ++i) {
         const std::string_view name = argument(i);
-        if (name.starts_with('\'') && name.substr(1, name.size() - 2) != line.tokens[i + 1].text) return false;
+        if (!name.starts_with('\'')) continue;
+        const bool is_there = i < line.argument_count && i + 1 < line.tokens.size();
+        if (is_there ? name.substr(1, name.size() - 2) != line.tokens[i + 1].text : i < needed) return false;
     }
     return true;
+}
+
+bool DirectiveForm::fits(const Line &line) const {
+    if (line.argument_count < least_arguments() || line.argument_count > most_arguments()) return false;
+    return starts_like(line) && has_words_of(line);
 }
 
 std::span<const DirectiveForm> directive_forms() {

@@ -101,6 +101,8 @@ public:
 
     /// Whether the line's first argument is a path where the form has one, and a number where it has none.
     [[nodiscard]] bool starts_like(const Line &line) const;
+    /// Whether the words that stand for themselves are in their places, but for those that may be missing.
+    [[nodiscard]] bool has_words_of(const Line &line) const;
     /// Whether the line has this form: the count of arguments, how they start, words that stand for themselves.
     [[nodiscard]] bool fits(const Line &line) const;
 

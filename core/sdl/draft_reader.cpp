@@ -84,7 +84,8 @@ const DirectiveForm *DraftReader::choose(std::span<const DirectiveForm> forms, c
         const uint64_t count = line.argument_count, least = form.least_arguments(), most = form.most_arguments();
         constexpr uint64_t another_start = uint64_t{1} << 40;
         const uint64_t miss = (count < least ? least - count : count - std::min(count, most)) +
-                              (form.starts_like(line) ? 0 : another_start);
+                              (form.starts_like(line) ? 0 : another_start) +
+                              (form.has_words_of(line) ? 0 : 2 * another_start);
         if (miss >= least_miss) continue;
         least_miss = miss;
         nearest = &form;
@@ -121,7 +122,8 @@ void DraftReader::tell_wrong_count(const Line &line, const DirectiveForm &form) 
     std::string hint = words("expected: ", form.usage);
     if (const DirectiveForm *const other = form_elsewhere(line)) {
         hint += words("; as it stands it is a line of ", other->dialects.names(), ": ", other->usage);
-    } else if (too_many && form.is_path(0) && form.starts_like(line) && !is_number(line.tokens[2].text)) {
+    } else if (too_many && form.is_path(0) && form.starts_like(line) && !form.argument(1).starts_with('\'') &&
+               !is_number(line.tokens[2].text)) {
         hint += "; file names cannot contain blanks";
     }
     const size_t least = form.least_arguments(), most = form.most_arguments();

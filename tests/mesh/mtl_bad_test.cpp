@@ -110,7 +110,7 @@ protected:
         EXPECT_EQ(diagnostic.line, line) << obj;
         EXPECT_EQ(diagnostic.column, column) << obj;
         EXPECT_EQ(diagnostic.message, message);
-        EXPECT_EQ(diagnostic.hint, hint);
+        EXPECT_TRUE(diagnostic.hint.starts_with(hint) && (diagnostic.hint.empty() == hint.empty())) << diagnostic.hint;
     }
     [[nodiscard]] std::string real_root() const { return fs::weakly_canonical(in_folder("a")).string(); }
     [[nodiscard]] std::string path(const std::string &name) const { return in_folder("a/" + name).string(); }
@@ -228,7 +228,7 @@ protected:
         EXPECT_EQ(diagnostic.line, 2u);
         EXPECT_EQ(diagnostic.column, 8u);
         EXPECT_EQ(diagnostic.message, message);
-        EXPECT_EQ(diagnostic.hint, hint);
+        EXPECT_TRUE(diagnostic.hint.starts_with(hint) && (diagnostic.hint.empty() == hint.empty())) << diagnostic.hint;
     }
     [[nodiscard]] std::string real(const std::string &name) const {
         return fs::weakly_canonical(in_folder(name)).string();

@@ -10,14 +10,16 @@ class Objects : public SmallScene {
 protected:
     /// The object of a scene that has only this line, an eye and a light.
     [[nodiscard]] Object object(const std::string &line, const std::string &dialect) const {
-        const SceneFile file = read("dialect " + dialect + "\neye 0 0 5\nlight lamp.obj 1 1 1 1\n" + line + "\n");
+        const SceneFile file =
+            read("dialect " + dialect + "\neye 0 0 5\nreflections 3\nlight lamp.obj 1 1 1 1\n" + line + "\n");
         EXPECT_EQ(file.scene->objects().size(), 1u);
         EXPECT_TRUE(file.warnings.empty()) << file.warnings.front().text();
         return file.scene->objects()[0];
     }
     /// The warning that the object comes with.
     [[nodiscard]] std::string warning(const std::string &line, const std::string &dialect) const {
-        const SceneFile file = read("dialect " + dialect + "\neye 0 0 5\nlight lamp.obj 1 1 1 1\n" + line + "\n");
+        const SceneFile file =
+            read("dialect " + dialect + "\neye 0 0 5\nreflections 3\nlight lamp.obj 1 1 1 1\n" + line + "\n");
         EXPECT_EQ(file.warnings.size(), 1u);
         return file.warnings.empty() ? std::string() : file.warnings[0].message;
     }
@@ -159,7 +161,8 @@ TEST_F(Objects, of_2005_that_give_more_light_than_comes_in_are_scaled_with_a_war
     for (const char *dialect : {"ray2005", "cg-path-tracer", "glint"}) {
         const std::string line = std::string("object 1 1 1 0 0 0 0 0 0 -1 1 1 1 0 1 0 5 .9 .6 1.5");
         EXPECT_EQ(warning(line, dialect), "kr + kt is more than 1 ('.9' + '.6'); both are scaled to add up to 1");
-        const SceneFile file = read(std::string("dialect ") + dialect + "\neye 0 0 5\nlight lamp.obj 1 1 1 1\n" + line);
+        const SceneFile file =
+            read(std::string("dialect ") + dialect + "\neye 0 0 5\nreflections 3\nlight lamp.obj 1 1 1 1\n" + line);
         const Material &m = file.scene->objects()[0].material;
         EXPECT_FLOAT_EQ(m.reflection, 0.6f);
         EXPECT_FLOAT_EQ(m.transmission, 0.4f);

@@ -29,14 +29,14 @@ protected:
         };
     }
     [[nodiscard]] Result<SceneFile> read(const std::string &objects) {
-        return read_scene(write("scene.sdl", "eye 0 0 5\nlight lamp.obj 1 1 1 1\n" + objects), options_);
+        return read_scene(write("scene.sdl", "eye 0 0 5\nreflections 3\nlight lamp.obj 1 1 1 1\n" + objects), options_);
     }
     [[nodiscard]] SceneFile read_good(const std::string &objects) {
         auto scene = read(objects);
         if (!scene.ok()) throw std::runtime_error(scene.error().text());
         return std::move(scene).value();
     }
-    /// The only problem of a scene whose third line is this.
+    /// The only problem of a scene whose fourth line is this.
     void expect_error(const std::string &object, ErrorCode code, const fs::path &file, uint32_t line, uint32_t column,
                       const std::string &message, const std::string &hint = {}) {
         const auto scene = read(object);
@@ -99,7 +99,8 @@ TEST_F(ScenesWithMtl, may_be_of_any_dialect) {
 
 TEST_F(ScenesWithMtl, leave_normals_aside_where_the_caller_wants_it) {
     options_.flat = true;
-    for (const Object &object : read_good("object m/house.obj mtl\n").scene->objects()) {
+    const SceneFile file = read_good("object m/house.obj mtl\n");
+    for (const Object &object : file.scene->objects()) {
         EXPECT_TRUE(object.mesh->normals.empty()) << object.name;
     }
 }
@@ -108,16 +109,16 @@ TEST_F(ScenesWithMtl, count_their_triangles) {
     options_.limits.max_triangles = 5;
     EXPECT_TRUE(read("object m/house.obj mtl\n").ok());
     expect_error("object m/house.obj mtl\nobject m/house.obj mtl\n", ErrorCode::limit_exceeded, in_folder("scene.sdl"),
-                 4, 8, "with this mesh the scene has 9 triangles, the limit is 5");
+                 5, 8, "with this mesh the scene has 9 triangles, the limit is 5");
 }
 
 TEST_F(ScenesWithMtl, tell_of_problems_where_they_are) {
-    expect_error("object x.obj mtl\nobject x.obj mtl\n", ErrorCode::not_found, in_folder("scene.sdl"), 3, 8,
+    expect_error("object x.obj mtl\nobject x.obj mtl\n", ErrorCode::not_found, in_folder("scene.sdl"), 4, 8,
                  "there is no file 'x.obj'", "looked for " + in_folder("x.obj").string());
     const fs::path empty = write("empty.obj", "# nothing\n");
     expect_error("object empty.obj mtl\n", ErrorCode::bad_input, empty, 0, 0,
                  "the file has no face ('f'), so there is nothing to see",
-                 "named in " + in_folder("scene.sdl").string() + ":3:8");
+                 "named in " + in_folder("scene.sdl").string() + ":4:8");
     const fs::path house = write("house.obj", "mtllib m/house.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl rde\nf 1 2 3\n");
     expect_error("object house.obj mtl\n", ErrorCode::bad_input, house, 5, 8, "there is no material 'rde'",
                  "did you mean 'red'?");

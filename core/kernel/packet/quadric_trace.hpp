@@ -6,11 +6,12 @@
 
 namespace glint::HWY_NAMESPACE {
 
-template <bool shares_origin, bool any_hit> class QuadricTrace {
+template <bool any_hit> class QuadricTrace {
 public:
     /// As GroupTest: of the selected rays those that are hit are deselected where any hit will do.
-    HWY_INLINE QuadricTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection)
-        : question_(question), quadrics_(question.geometry.quadrics), rays_(rays), selection_(selection) {}
+    HWY_INLINE QuadricTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, bool shares_origin)
+        : question_(question), quadrics_(question.geometry.quadrics), rays_(rays), selection_(selection),
+          shares_origin_(shares_origin) {}
 
     HWY_INLINE void run() {
         for (uint32_t i = 0; i < quadrics_.unbounded_count; ++i) test(quadrics_.all[i], selection_);
@@ -39,8 +40,7 @@ private:
     };
 
     [[nodiscard]] HWY_INLINE Points org(uint32_t ray) const {
-        if constexpr (shares_origin) return splat(rays_.shared_origin);
-        return rays_.org(ray);
+        return shares_origin_ ? splat(rays_.shared_origin) : rays_.org(ray);
     }
 
     /// What PreparedRay works out for a ray.
@@ -85,7 +85,7 @@ private:
         return reach;
     }
 
-    HWY_INLINE void test(const PlacedQuadric &quadric, const RaySelection &candidates) {
+    HWY_NOINLINE void test(const PlacedQuadric &quadric, const RaySelection &candidates) {
         if (any_hit && quadric.id - question_.first_passed < question_.passed_count) return;
         const Uints id = hn::Set(uints, quadric.id);
         for_each_vector(candidates, [&](uint32_t ray, uint32_t lanes) {
@@ -119,16 +119,17 @@ private:
     const QuadricView &quadrics_;
     RayGroup &rays_;
     RaySelection &selection_;
+    bool shares_origin_;
     alignas(64) float slack_[group_size];
     alignas(64) float inverse_[3][group_size];
     Pending stack_[max_quadric_tree_depth + 1];
 };
 
 /// The selected rays against the scene's quadrics, once they have met its triangles.
-template <bool shares_origin, bool any_hit>
-HWY_NOINLINE void trace_quadrics(const TraceQuestion &question, RayGroup &rays, RaySelection &selection) {
+template <bool any_hit> HWY_NOINLINE void trace_quadrics(const TraceQuestion &question, RayGroup &rays,
+                                                         RaySelection &selection, bool shares_origin) {
     if (selection.empty()) return;
-    QuadricTrace<shares_origin, any_hit>(question, rays, selection).run();
+    QuadricTrace<any_hit>(question, rays, selection, shares_origin).run();
 }
 
 } // namespace glint::HWY_NAMESPACE

@@ -185,7 +185,7 @@ template <bool shares_origin, bool any_hit> HWY_INLINE void trace(const TraceQue
                                                                   const RayHint &hint = {}) {
     trace_triangles<shares_origin, any_hit>(question, rays, selection, history, hint);
     if (HWY_UNLIKELY(question.geometry.quadrics.count != 0)) {
-        trace_quadrics<shares_origin, any_hit>(question, rays, selection);
+        trace_quadrics<any_hit>(question, rays, selection, shares_origin);
     }
 }
 

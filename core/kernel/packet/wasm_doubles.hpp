@@ -24,6 +24,25 @@ HWY_API TwoDoubles operator*(TwoDoubles a, TwoDoubles b) {
 HWY_API TwoDoubles operator/(TwoDoubles a, TwoDoubles b) {
     return TwoDoubles{wasm_f64x2_div(a.raw, b.raw)};
 }
+HWY_API TwoDoubles Neg(TwoDoubles a) {
+    return TwoDoubles{wasm_f64x2_neg(a.raw)};
+}
+HWY_API TwoDoubles Sqrt(TwoDoubles a) {
+    return TwoDoubles{wasm_f64x2_sqrt(a.raw)};
+}
+using TwoBools = Mask128<double, 2>;
+HWY_API TwoBools operator==(TwoDoubles a, TwoDoubles b) {
+    return TwoBools{wasm_f64x2_eq(a.raw, b.raw)};
+}
+HWY_API TwoBools operator<(TwoDoubles a, TwoDoubles b) {
+    return TwoBools{wasm_f64x2_lt(a.raw, b.raw)};
+}
+HWY_API TwoBools operator<=(TwoDoubles a, TwoDoubles b) {
+    return TwoBools{wasm_f64x2_le(a.raw, b.raw)};
+}
+HWY_API TwoBools operator>=(TwoDoubles a, TwoDoubles b) {
+    return TwoBools{wasm_f64x2_ge(a.raw, b.raw)};
+}
 HWY_API TwoDoubles PromoteTo(Simd<double, 2, 0>, TwoFloats a) {
     return TwoDoubles{wasm_f64x2_promote_low_f32x4(a.raw)};
 }
