@@ -80,7 +80,7 @@ HWY_NOINLINE Points with_any_light(const KernelScene &scene, const LightShading 
     const Floats n_l = dot(normal, to_light);
     const Floats highlight = highlight_of(surfaces, lanes, normal, to_light, work.level->rays.dir(ray), n_l);
     Points diffuse = surfaces.color(&SurfaceShading::diffuse_color);
-    if (scene.has_details) diffuse = product(diffuse, points.tint.at(ray));
+    if (scene.has_details) diffuse = product(diffuse, work.details.tint.at(ray));
     const Points tint = surfaces.color(&SurfaceShading::highlight_color);
     const FloatMask lit = mask_of(lanes);
     const auto sum = [&](Floats so_far, float emitted, Floats reflected, Floats highlight_tint) {
@@ -98,7 +98,7 @@ HWY_NOINLINE uint32_t add_any_local_colors(const KernelScene &scene, TileWork &w
     for_each_vector(points.lit, [&](uint32_t ray, uint32_t lanes) {
         const DistinctLanes numbers(points.surface + ray, lanes);
         const Points ambient = SurfaceLanes(scene, numbers).color(&SurfaceShading::ambient_color);
-        points.local.set(ray, scene.has_details ? product(ambient, points.tint.at(ray)) : ambient);
+        points.local.set(ray, scene.has_details ? product(ambient, work.details.tint.at(ray)) : ambient);
     });
     for (uint32_t i = 0; i < scene.light_count; ++i) {
         const RaySelection reached = reached_by_any_light(scene, scene.lights[i], work, shadow_rays);

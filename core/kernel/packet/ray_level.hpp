@@ -10,11 +10,11 @@ namespace glint::HWY_NAMESPACE {
 struct RayLevel {
     RayGroup rays;
     alignas(64) float weight[group_size];
-    alignas(64) uint32_t left_surface[group_size];       ///< of the triangle that a ray leaves
-    alignas(64) uint32_t media[Media::most][group_size]; ///< that the rays run in, where the scene has refraction
+    alignas(64) uint32_t left_surface[group_size]; ///< of the triangle that a ray leaves
     RaySelection selection;
     bool is_even;   ///< of primary rays: they go through the same place of each pixel
     uint32_t depth; ///< recursive rays before these, themselves included
+    alignas(64) uint32_t media[Media::most][group_size]; ///< that the rays run in, where the scene has refraction
 };
 
 /// Surfaces whose mirror rays are traced apart; what is left after so many goes together.

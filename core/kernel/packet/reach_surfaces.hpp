@@ -77,7 +77,7 @@ HWY_NOINLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_dept
         Points normal = facet;
         if (!is_plain && scene.has_details) {
             normal = add_details(scene, level.rays.triangle_id + ray, points.surface + ray, ray, hit, position, dir,
-                                 facet, points);
+                                 facet, work.details);
         }
         hn::Store(position.x, floats, points.x + ray);
         hn::Store(position.y, floats, points.y + ray);

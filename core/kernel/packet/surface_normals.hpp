@@ -31,7 +31,7 @@ HWY_INLINE void copy_lane(const Points &p, float (*to)[lane_count]) {
 /// Shading normals and tints of surface points that lie on facets with the given normals; keeps both.
 HWY_NOINLINE Points add_details(const KernelScene &scene, const uint32_t *triangle_id, const uint32_t *surface,
                                 uint32_t ray, uint32_t lanes, const Points &position, const Points &dir,
-                                const Points &facet, SurfacePoints &points) {
+                                const Points &facet, SurfaceDetails &details) {
     alignas(64) float p[3][lane_count], d[3][lane_count], f[3][lane_count], n[3][lane_count], tint[3][lane_count];
     copy_lane(position, p);
     copy_lane(dir, d);
@@ -55,8 +55,8 @@ HWY_NOINLINE Points add_details(const KernelScene &scene, const uint32_t *triang
     const auto load = [](const float(*from)[lane_count]) {
         return Points{hn::Load(floats, from[0]), hn::Load(floats, from[1]), hn::Load(floats, from[2])};
     };
-    points.facet.set(ray, facet);
-    points.tint.set(ray, load(tint));
+    details.facet.set(ray, facet);
+    details.tint.set(ray, load(tint));
     return load(n);
 }
 

@@ -62,9 +62,6 @@ struct alignas(64) SurfacePoints {
     uint32_t surface[group_size];
     RaySelection lit; ///< points that have local colour
     TileColors local; ///< so far, while there are lights to come
-    // Where the scene has details:
-    PointRows facet; ///< normals of the surface itself, while `normal` is for shading
-    PointRows tint;
 
     [[nodiscard]] HWY_INLINE Points position(uint32_t ray) const {
         return {hn::Load(floats, x + ray), hn::Load(floats, y + ray), hn::Load(floats, z + ray)};
@@ -72,6 +69,12 @@ struct alignas(64) SurfacePoints {
     [[nodiscard]] HWY_INLINE Points normal(uint32_t ray) const {
         return {hn::Load(floats, normal_x + ray), hn::Load(floats, normal_y + ray), hn::Load(floats, normal_z + ray)};
     }
+};
+
+/// Surface points of a level, where the scene has details.
+struct SurfaceDetails {
+    PointRows facet; ///< normals of the surface itself, while SurfacePoints' are for shading
+    PointRows tint;
 };
 
 /// One light as a level's points see it, where lights are not all plain.
@@ -85,10 +88,12 @@ struct TileWork {
     RayLevel *level, *next; ///< two of the levels below
     SurfacePoints points;
     RayGroup shadow;
-    IncomingLights incoming;
     TileColors colors;
     RayLevel levels[2];
     BeamHistories *beams;
+    // What most scenes never touch lies behind the rest.
+    SurfaceDetails details;
+    IncomingLights incoming;
 };
 
 } // namespace glint::HWY_NAMESPACE
