@@ -26,8 +26,8 @@ std::optional<TextFile> read_asset(const fs::path &file, std::string_view kind, 
     Result<TextFile> text = read_text_file(file, max_bytes);
     if (text.ok()) return std::move(text).value();
     for (const Diagnostic &diagnostic : text.error().diagnostics) {
-        problems.error(place, words(kind, ' ', in_quotes(file.string()), ": ", diagnostic.message), diagnostic.hint,
-                       text.error().code);
+        problems.error(place, words(kind, ' ', path_in_quotes(file.string()), ": ", diagnostic.message),
+                       diagnostic.hint, text.error().code);
     }
     return std::nullopt;
 }
