@@ -23,7 +23,7 @@ AccelStatistics measure_tree(const KdTree &tree, uint32_t triangle_count) {
     statistics.triangles = triangle_count;
     statistics.nodes = tree.nodes.size();
     statistics.references = tree.reference_count();
-    const double root_area = tree.bounds.half_area();
+    const double root_area = tree.bounds.empty() ? 0.0 : tree.bounds.half_area();
     std::vector<Visit> stack;
     if (!tree.nodes.empty()) stack.push_back({0, 0, tree.bounds});
     while (!stack.empty()) {

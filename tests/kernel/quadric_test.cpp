@@ -247,6 +247,8 @@ TEST(QuadricTrees, find_what_asking_every_quadric_finds) {
     const auto scene = builder.build();
     ASSERT_TRUE(scene) << scene.error().text();
     const auto accel = Accel::build(*scene);
+    EXPECT_EQ(accel->statistics().triangles, 0u);
+    EXPECT_EQ(accel->statistics().sah_cost, 0.0);
 
     constexpr size_t count = 2048;
     std::vector<float> org[3], dir[3], t_max(count), t(count);
