@@ -14,9 +14,9 @@ namespace glint {
 
 struct Accel::Impl {
     std::shared_ptr<const Scene> scene;
-    AccelKind kind = AccelKind::kdtree;            ///< not automatic
-    KdTree tree;                                   ///< a single leaf for AccelKind::brute; empty for AccelKind::bvh
-    WideBvh bvh;                                   ///< empty for the other kinds
+    AccelKind kind = AccelKind::kdtree; ///< not automatic
+    KdTree tree;                        ///< a single leaf for AccelKind::brute; empty for AccelKind::bvh
+    WideBvh bvh;                        ///< empty for the other kinds
     QuadricTree quadrics;
     UninitializedVector<TriangleSurface> surfaces; ///< by triangle_id, then of the quadrics, without normals
     AccelStatistics statistics;

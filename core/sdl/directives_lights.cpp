@@ -1,5 +1,4 @@
 // The directives that add lights, and say how many shadow rays they get.
-#include <limits>
 #include <string>
 
 #include "scene/quadric_shape.hpp"

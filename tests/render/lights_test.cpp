@@ -4,17 +4,11 @@
 
 #include <cmath>
 
+#include "support/meshes.hpp"
 #include "support/picture.hpp"
 
 namespace glint::test {
 namespace {
-
-std::shared_ptr<const Mesh> square(Point centre, float half) {
-    const float x = centre.x, y = centre.y, z = centre.z;
-    return std::make_shared<Mesh>(
-        Mesh{{{x - half, y - half, z}, {x + half, y - half, z}, {x + half, y + half, z}, {x - half, y + half, z}},
-             {{0, 1, 2}, {0, 2, 3}}});
-}
 
 Material matte() {
     Material material;

@@ -8,14 +8,6 @@
 namespace glint::test {
 namespace {
 
-/// A square facing +z and -z.
-std::shared_ptr<const Mesh> square(Point center, float half) {
-    const float x = center.x, y = center.y, z = center.z;
-    return std::make_shared<Mesh>(
-        Mesh{{{x - half, y - half, z}, {x + half, y - half, z}, {x + half, y + half, z}, {x - half, y + half, z}},
-             {{0, 1, 2}, {0, 2, 3}}});
-}
-
 /// Shows exactly its colour when the scene's ambient intensity is 1.
 Material plain(Color color, float kr = 0.0f, float kt = 0.0f) {
     return {color, 1.0f, 0.0f, 0.0f, 0.0f, kr, kt};

@@ -1,15 +1,13 @@
 // The scenes of tests/sdl/good, the hashes of their pictures, and how the two are compared.
 //
-// After a change that is meant to change pictures, or when kernels have learned to draw what they did not: look at the
-// pictures (`glint render`), put what `glint_good_pictures` prints into hashes.txt, and take the names out of
-// pending.txt.
+// After a change that is meant to change pictures: look at them (`glint render`), then put what `glint_good_pictures`
+// prints into hashes.txt.
 #pragma once
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -65,16 +63,6 @@ namespace glint::test {
         words >> table[scene].pixels >> table[scene].radiance;
     }
     return table;
-}
-
-/// pending.txt: scenes that the kernels do not draw yet.
-[[nodiscard]] inline std::set<std::string> pending_scenes() {
-    std::ifstream lines(good_corpus() / "pending.txt");
-    std::set<std::string> scenes;
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.empty() && line[0] != '#') scenes.insert(line);
-    }
-    return scenes;
 }
 
 } // namespace glint::test

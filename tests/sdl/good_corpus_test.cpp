@@ -1,10 +1,14 @@
 // Every scene of tests/sdl/good is read, shows something, and keeps its picture; together they have every directive.
 #include "sdl/good_corpus.hpp"
 
+#include <memory>
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "sdl/dialects.hpp"
 #include "sdl/lexer.hpp"
+#include "sdl/read_scene.hpp"
 #include "text/plain_text.hpp"
 
 namespace glint::test {
@@ -36,18 +40,35 @@ TEST_P(GoodScene, begins_with_a_line_that_says_what_it_shows) {
 TEST_P(GoodScene, keeps_its_picture_for_every_instruction_set) {
     const auto table = good_hashes();
     const auto golden = table.find(GetParam());
-    if (pending_scenes().contains(GetParam())) {
-        EXPECT_TRUE(golden == table.end()) << "it has hashes: take it out of pending.txt";
-        GTEST_SKIP() << "the kernels do not draw it yet: it is in pending.txt";
-    }
     ASSERT_TRUE(golden != table.end()) << "no line in hashes.txt; see good_corpus.hpp";
     for (const Isa isa : available_isas()) {
         EXPECT_EQ(picture_of_good_scene(GetParam(), isa), golden->second) << isa_name(isa);
     }
 }
 
+TEST_P(GoodScene, converts_to_a_file_with_the_same_picture_that_converts_into_itself) {
+    const auto text_file = [](const std::string &text) {
+        TextFile file;
+        file.bytes = std::make_unique<char[]>(text.size());
+        file.size = text.size();
+        std::copy(text.begin(), text.end(), file.bytes.get());
+        return file;
+    };
+    const std::filesystem::path path = good_file(GetParam());
+    const auto converted = convert_scene(path, path.parent_path(), good_options());
+    ASSERT_TRUE(converted.ok()) << converted.error().text();
+    const auto file = read_scene_text(text_file(converted->text), path, good_options());
+    ASSERT_TRUE(file.ok()) << file.error().text() << '\n' << converted->text;
+    EXPECT_EQ(file->dialect, "glint");
+    const PictureSettings &wanted = file->scene->picture();
+    const Framebuffer picture = render(file->scene, wanted.width_px, wanted.height_px, wanted.max_depth);
+    EXPECT_EQ(hashes_of(picture), good_hashes().at(GetParam()));
+    const auto again = convert_scene_text(text_file(converted->text), path, path.parent_path(), good_options());
+    ASSERT_TRUE(again.ok()) << again.error().text();
+    EXPECT_EQ(again->text, converted->text);
+}
+
 TEST_P(GoodScene, shows_something) {
-    if (pending_scenes().contains(GetParam())) GTEST_SKIP() << "the kernels do not draw it yet: it is in pending.txt";
     const auto file = read_scene(good_file(GetParam()), good_options());
     ASSERT_TRUE(file.ok());
     const PictureSettings &wanted = file->scene->picture();
@@ -71,7 +92,6 @@ TEST(GoodCorpus, has_forty_scenes_and_no_line_about_others) {
     EXPECT_GE(scenes.size(), 40u);
     const auto exists = [&](const std::string &name) { return std::count(scenes.begin(), scenes.end(), name) == 1; };
     for (const auto &[scene, hashes] : good_hashes()) EXPECT_TRUE(exists(scene)) << scene << " in hashes.txt";
-    for (const std::string &scene : pending_scenes()) EXPECT_TRUE(exists(scene)) << scene << " in pending.txt";
 }
 
 TEST(GoodCorpus, has_every_form_of_every_directive_in_every_dialect_that_is_written_with_it) {

@@ -1,5 +1,5 @@
 // glint_good_pictures [SCENE...]: prints the lines of tests/sdl/good/hashes.txt as they are now, by the scalar kernel,
-// for the scenes named or for all that are not pending.
+// for the scenes named or for all.
 #include <cstdio>
 
 #include "sdl/good_corpus.hpp"
@@ -9,12 +9,7 @@ using namespace glint::test;
 
 int main(int count, char **arguments) {
     std::vector<std::string> scenes(arguments + 1, arguments + count);
-    if (scenes.empty()) {
-        const std::set<std::string> pending = pending_scenes();
-        for (const std::string &scene : good_scenes()) {
-            if (!pending.contains(scene)) scenes.push_back(scene);
-        }
-    }
+    if (scenes.empty()) scenes = good_scenes();
     try {
         for (const std::string &scene : scenes) {
             const PictureHashes hashes = picture_of_good_scene(scene, Isa::scalar);

@@ -185,6 +185,13 @@ Mesh turned(Mesh mesh) {
     return mesh;
 }
 
+std::shared_ptr<const Mesh> square(Point centre, float half) {
+    const float x = centre.x, y = centre.y, z = centre.z;
+    return std::make_shared<Mesh>(
+        Mesh{{{x - half, y - half, z}, {x + half, y - half, z}, {x + half, y + half, z}, {x - half, y + half, z}},
+             {{0, 1, 2}, {0, 2, 3}}});
+}
+
 std::shared_ptr<const Scene> scene_of(Mesh mesh) {
     SceneBuilder builder;
     builder.add_object({"mesh", std::make_shared<Mesh>(std::move(mesh)), {}});

@@ -27,6 +27,9 @@ namespace glint::test {
 /// One object with this mesh, no light, default camera.
 [[nodiscard]] std::shared_ptr<const Scene> scene_of(Mesh mesh);
 
+/// Two triangles across the z axis, seen from both sides.
+[[nodiscard]] std::shared_ptr<const Mesh> square(Point centre, float half);
+
 struct NamedMesh {
     std::string name;
     Mesh mesh;

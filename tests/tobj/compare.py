@@ -45,7 +45,8 @@ MISSING = missing()
 def files():
     """Every OBJ file there is to compare, by the name that differences.txt calls it."""
     found = {}
-    for folder, name in ((SOURCE, "scenes/sdl"), (HERE, "corpus"), (SHARED, "models"), (SHARED, "sdl-wild")):
+    places = [(SOURCE, "scenes/sdl"), (SOURCE, "tests/sdl"), (HERE, "corpus"), (SHARED, "models"), (SHARED, "sdl-wild")]
+    for folder, name in places:
         for path in sorted((folder / name).rglob("*.obj")):
             found[path.relative_to(folder).as_posix()] = path
     return found

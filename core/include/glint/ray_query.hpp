@@ -29,7 +29,7 @@ inline constexpr uint32_t no_triangle = UINT32_MAX;
 
 /// Where the rays of a batch end; each pointer leads to `count` elements.
 struct HitBatch {
-    float *t = nullptr;              ///< t_max where nothing is hit
+    float *t = nullptr; ///< t_max where nothing is hit
     /// In the scene's numbering, in which quadrics come behind the triangles; of several at the same t the lowest.
     uint32_t *triangle_id = nullptr;
 };

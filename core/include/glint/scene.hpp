@@ -47,7 +47,7 @@ struct Mesh {
 
 /// The points where a x^2 + b y^2 + c z^2 + 2 d xy + 2 e yz + 2 f xz + 2 g x + 2 h y + 2 j z + k = 0: a sphere, an
 /// ellipsoid, a cylinder, a cone, a paraboloid, a hyperboloid, a plane or a pair of planes. Its inside, for refraction,
-/// is where the sum has the sign that it has inside an ellipsoid or cylinder whose first coefficients are positive: < 0.
+/// is where the sum is negative, as it is inside an ellipsoid or cylinder whose first coefficients are positive.
 struct Quadric {
     float a = 0.0f, b = 0.0f, c = 0.0f, d = 0.0f, e = 0.0f, f = 0.0f, g = 0.0f, h = 0.0f, j = 0.0f, k = 0.0f;
     friend bool operator==(const Quadric &, const Quadric &) = default;
@@ -93,7 +93,7 @@ struct Light {
         surface,     ///< a glowing mesh or quadric, which is seen as color * intensity
         point,       ///< shines from a place; not seen
         directional, ///< shines along a direction, from infinitely far away; not seen
-        spot,        ///< a point that shines into a cone
+        spot,        ///< a point that shines into a cone; not seen
     };
 
     std::string name;
@@ -132,7 +132,8 @@ struct GLINT_API Camera {
     [[nodiscard]] static Camera through_window(Point eye, float x0, float y0, float x1, float y1);
 
     /// A camera that looks from `eye` towards `target` with `up` upwards in the picture, through a window of the given
-    /// size at distance 1, or what looks the same from there. The target differs from the eye; `up` is not along the line between them.
+    /// size at distance 1, or what looks the same from there. The target differs from the eye; `up` is not along the
+    /// line between them.
     [[nodiscard]] static Camera look_at(Point eye, Point target, Vector up, float width, float height);
 };
 

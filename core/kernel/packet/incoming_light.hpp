@@ -68,7 +68,7 @@ HWY_NOINLINE RaySelection reached_by_any_light(const KernelScene &scene, const L
     const bool is_directional = light.kind == Light::Kind::directional;
     RaySelection reached{};
     for_each_vector(points.lit, [&](uint32_t ray, uint32_t lanes) {
-        const Points position = points.position(ray), normal = points.normal(ray);
+        const Points position = points.position.at(ray), normal = points.normal.at(ray);
         const Points facet = scene.has_details ? work.details.facet.at(ray) : normal;
         Points place = points_of(light.position), delta;
         if (is_directional) {

@@ -19,7 +19,7 @@ HWY_INLINE RaySelection reached_points(const KernelScene &scene, const LightShad
     RaySelection reached{};
     WayBounds ways;
     for_each_vector(points.lit, [&](uint32_t ray, uint32_t lanes) {
-        const Points position = points.position(ray), normal = points.normal(ray);
+        const Points position = points.position.at(ray), normal = points.normal.at(ray);
         const Points delta = difference(light_position, position);
         // A light behind the surface, as the viewer sees it, is hidden by the surface itself.
         const FloatMask faces = hn::And(hn::Gt(dot(normal, delta), hn::Zero(floats)), mask_of(lanes));
@@ -58,8 +58,8 @@ HWY_INLINE Floats highlight_of(const SurfaceLanes &surfaces, uint32_t lanes, con
 /// A light's diffuse and specular share, added to `color` in the lanes that it reaches.
 HWY_INLINE Points with_light(const LightShading &light, const SurfacePoints &points, const SurfaceLanes &surfaces,
                              uint32_t ray, uint32_t lanes, const Points &dir, const Points &color) {
-    const Points normal = points.normal(ray);
-    const Points to_light = normalized(difference(points_of(light.position), points.position(ray)));
+    const Points normal = points.normal.at(ray);
+    const Points to_light = normalized(difference(points_of(light.position), points.position.at(ray)));
     const Floats n_l = dot(normal, to_light);
     const Floats highlight = highlight_of(surfaces, lanes, normal, to_light, dir, n_l);
     const Points diffuse = surfaces.color(&SurfaceShading::diffuse_color);
@@ -75,7 +75,7 @@ HWY_INLINE Points with_light(const LightShading &light, const SurfacePoints &poi
 HWY_NOINLINE Points with_any_light(const KernelScene &scene, const LightShading &light, const TileWork &work,
                                    const SurfaceLanes &surfaces, uint32_t ray, uint32_t lanes, const Points &color) {
     const SurfacePoints &points = work.points;
-    const Points normal = points.normal(ray), to_light = work.incoming.to_light.at(ray);
+    const Points normal = points.normal.at(ray), to_light = work.incoming.to_light.at(ray);
     const Floats strength = hn::Load(floats, work.incoming.strength + ray);
     const Floats n_l = dot(normal, to_light);
     const Floats highlight = highlight_of(surfaces, lanes, normal, to_light, work.level->rays.dir(ray), n_l);

@@ -79,12 +79,8 @@ HWY_NOINLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_dept
             normal = add_details(scene, level.rays.triangle_id + ray, points.surface + ray, ray, hit, position, dir,
                                  facet, work.details);
         }
-        hn::Store(position.x, floats, points.x + ray);
-        hn::Store(position.y, floats, points.y + ray);
-        hn::Store(position.z, floats, points.z + ray);
-        hn::Store(normal.x, floats, points.normal_x + ray);
-        hn::Store(normal.y, floats, points.normal_y + ray);
-        hn::Store(normal.z, floats, points.normal_z + ray);
+        points.position.set(ray, position);
+        points.normal.set(ray, normal);
         hn::Store(scale, floats, points.scale + ray);
 
         Floats share = splat(1.0f);

@@ -19,31 +19,18 @@ struct alignas(64) PointRows {
     }
 };
 
-/// Colours of a tile's pixels.
-struct alignas(64) TileColors {
-    float red[group_size], green[group_size], blue[group_size];
-
+/// Colours of a tile's pixels: red, green, blue.
+struct TileColors : PointRows {
     HWY_INLINE void clear() {
-        for (uint32_t ray = 0; ray < group_size; ray += lane_count) {
-            hn::Store(hn::Zero(floats), floats, red + ray);
-            hn::Store(hn::Zero(floats), floats, green + ray);
-            hn::Store(hn::Zero(floats), floats, blue + ray);
-        }
+        const Floats zero = hn::Zero(floats);
+        for (uint32_t ray = 0; ray < group_size; ray += lane_count) set(ray, {zero, zero, zero});
     }
     /// Adds weight * color in the given lanes.
     HWY_INLINE void add(uint32_t ray, uint32_t lane_bits, Floats weight, const Points &color) {
         const FloatMask lanes = mask_of(lane_bits);
-        add_row(red + ray, lanes, weight * color.x);
-        add_row(green + ray, lanes, weight * color.y);
-        add_row(blue + ray, lanes, weight * color.z);
-    }
-    [[nodiscard]] HWY_INLINE Points at(uint32_t ray) const {
-        return {hn::Load(floats, red + ray), hn::Load(floats, green + ray), hn::Load(floats, blue + ray)};
-    }
-    HWY_INLINE void set(uint32_t ray, const Points &color) {
-        hn::Store(color.x, floats, red + ray);
-        hn::Store(color.y, floats, green + ray);
-        hn::Store(color.z, floats, blue + ray);
+        add_row(x + ray, lanes, weight * color.x);
+        add_row(y + ray, lanes, weight * color.y);
+        add_row(z + ray, lanes, weight * color.z);
     }
 
 private:
@@ -55,20 +42,13 @@ private:
 
 /// Surface points of a level, and how they are lit.
 struct alignas(64) SurfacePoints {
-    float x[group_size], y[group_size], z[group_size];
-    float normal_x[group_size], normal_y[group_size], normal_z[group_size]; ///< faces the viewer
+    PointRows position;
+    PointRows normal; ///< faces the viewer
     float scale[group_size];
     float weight[group_size]; ///< of local colour in the pixel
     uint32_t surface[group_size];
     RaySelection lit; ///< points that have local colour
     TileColors local; ///< so far, while there are lights to come
-
-    [[nodiscard]] HWY_INLINE Points position(uint32_t ray) const {
-        return {hn::Load(floats, x + ray), hn::Load(floats, y + ray), hn::Load(floats, z + ray)};
-    }
-    [[nodiscard]] HWY_INLINE Points normal(uint32_t ray) const {
-        return {hn::Load(floats, normal_x + ray), hn::Load(floats, normal_y + ray), hn::Load(floats, normal_z + ray)};
-    }
 };
 
 /// Surface points of a level, where the scene has details.
