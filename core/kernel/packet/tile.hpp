@@ -153,15 +153,24 @@ HWY_INLINE Floats displayed(const KernelFrame &frame, Floats c) {
     }
     return c;
 }
-HWY_NOINLINE Points displayed(const KernelFrame &frame, const Points &color) {
-    return {displayed(frame, color.x), displayed(frame, color.y), displayed(frame, color.z)};
+
+/// The mean of a tile's samples, in place.
+HWY_NOINLINE void average(uint32_t sample_count, TileColors &colors) {
+    const Floats share = splat(1.0f / static_cast<float>(sample_count));
+    for (uint32_t ray = 0; ray < group_size; ray += lane_count) colors.set(ray, scaled(colors.at(ray), share));
 }
 
-/// Writes the tile's pixels.
-HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const TileColors &colors) {
-    const uint32_t sample_count = frame.samples.columns * frame.samples.rows;
-    const bool averages = sample_count > 1, is_curved = frame.tone_scale > 0.0f || frame.to_srgb;
-    const float sample_share = 1.0f / static_cast<float>(sample_count);
+/// What a display is to show of a tile's colours.
+HWY_NOINLINE void make_displayed(const KernelFrame &frame, const TileColors &colors, TileColors &shown) {
+    for (uint32_t ray = 0; ray < group_size; ray += lane_count) {
+        const Points color = colors.at(ray);
+        shown.set(ray, {displayed(frame, color.x), displayed(frame, color.y), displayed(frame, color.z)});
+    }
+}
+
+/// Writes the tile's pixels: `colors` as radiance, `shown` as bytes.
+HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const TileColors &colors,
+                             const TileColors &shown) {
     const size_t first_pixel = size_t{tile.y0} * frame.width_px + tile.x0;
     const auto for_each_row = [&](PixelPlace first, uint32_t inside, auto &&copy) {
         size_t pixel = first_pixel + size_t{first.y} * frame.width_px + first.x;
@@ -170,11 +179,10 @@ HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const T
         }
     };
     for_each_place(tile, [&](uint32_t ray, PixelPlace first, uint32_t inside) {
-        const Points color = averages ? scaled(colors.at(ray), splat(sample_share)) : colors.at(ray);
-        const Points shown = is_curved ? displayed(frame, color) : color;
+        const Points color = shown.at(ray);
         // The shifts push the bits of 2^23 out.
-        const Uints rgba = hn::Xor(hn::Xor(resolve_channels(shown.x), hn::ShiftLeft<8>(resolve_channels(shown.y))),
-                                   hn::Xor(hn::ShiftLeft<16>(resolve_channels(shown.z)), hn::Set(uints, 0xb4000000u)));
+        const Uints rgba = hn::Xor(hn::Xor(resolve_channels(color.x), hn::ShiftLeft<8>(resolve_channels(color.y))),
+                                   hn::Xor(hn::ShiftLeft<16>(resolve_channels(color.z)), hn::Set(uints, 0xb4000000u)));
         alignas(64) uint32_t bytes[lane_count];
         hn::Store(rgba, uints, bytes);
         if (inside == all_lanes) {
@@ -187,8 +195,9 @@ HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const T
             });
         }
         if (frame.radiance) {
+            const Points radiance = colors.at(ray);
             alignas(64) float rgb[3 * lane_count];
-            hn::StoreInterleaved3(color.x, color.y, color.z, floats, rgb);
+            hn::StoreInterleaved3(radiance.x, radiance.y, radiance.z, floats, rgb);
             for_each_row(first, inside, [&](uint32_t row, size_t pixel, uint32_t columns) {
                 if (columns != 0) __builtin_memcpy(frame.radiance + pixel * 3, rgb + row * 12, 12 * columns);
             });
@@ -240,7 +249,13 @@ HWY_INLINE void render_tile(const KernelScene &scene, const KernelFrame &frame, 
         scratch.rays.primary += work.level->selection.count();
         follow(scene, frame, work, waiting, scratch.rays);
     }
-    resolve_tile(frame, tile, work.colors);
+    if (HWY_UNLIKELY(sample_count > 1)) average(sample_count, work.colors);
+    const TileColors *shown = &work.colors;
+    if (HWY_UNLIKELY(frame.tone_scale > 0.0f || frame.to_srgb)) {
+        make_displayed(frame, work.colors, work.points.local);
+        shown = &work.points.local;
+    }
+    resolve_tile(frame, tile, work.colors, *shown);
 }
 
 } // namespace glint::HWY_NAMESPACE
