@@ -101,7 +101,7 @@ struct RayTree {
 [[nodiscard]] GLINT_API Result<RayTree> trace_ray_tree(const Accel &accel, const RenderOptions &options,
                                                        uint32_t width_px, uint32_t height_px, uint32_t x, uint32_t y);
 
-/// Most rays of one tree: 160 MB of them.
+/// Most rays of one tree.
 inline constexpr uint32_t max_tree_rays = 1u << 20;
 
 } // namespace glint
