@@ -16,6 +16,7 @@
 #include "image/tone_curve.hpp"
 #include "kernel/incoming_light.hpp"
 #include "kernel/kernel.hpp"
+#include "kernel/ray_recorder.hpp"
 #include "kernel/refraction.hpp"
 #include "kernel/surface_point.hpp"
 #include "math/pow.hpp"
@@ -30,7 +31,8 @@ namespace {
 constexpr float least_branch_weight = 1.0f / 4096.0f;
 
 /// Ambient, diffuse and specular light at a point; `to_viewer` is a unit vector.
-Color local_color(const KernelScene &scene, const SurfacePoint &point, const glm::vec3 &to_viewer, RayCounts &rays) {
+Color local_color(const KernelScene &scene, const SurfacePoint &point, const glm::vec3 &to_viewer, RayCounts &rays,
+                  RayRecorder *recorder) {
     const SurfaceShading &surface = *point.surface;
     Color color = surface.ambient_color * point.tint;
     const Color diffuse = surface.diffuse_color * point.tint;
@@ -42,7 +44,10 @@ Color local_color(const KernelScene &scene, const SurfacePoint &point, const glm
         find_strength(light, incoming);
         if (!(incoming.strength > 0.0f)) continue;
         ++rays.shadow;
-        incoming.strength *= unblocked_share(scene, light, shadow_ray(light, incoming, point), point.left);
+        const ShadowRay shadow = shadow_ray(light, incoming, point);
+        const float share = unblocked_share(scene, light, shadow, point.left);
+        if (recorder) recorder->casts(i, shadow, point, share);
+        incoming.strength *= share;
         if (!(incoming.strength > 0.0f)) continue;
         const float n_l = dot(point.normal, incoming.to_light);
         float highlight = 0.0f;
@@ -51,10 +56,13 @@ Color local_color(const KernelScene &scene, const SurfacePoint &point, const glm
             const float r_v = (2.0f * n_l) * dot(point.normal, to_viewer) - dot(incoming.to_light, to_viewer);
             highlight = surface.specular * pow_unit(r_v > 0.0f ? r_v : 0.0f, surface.exponent);
         }
+        Color lit;
         for (int channel = 0; channel < 3; ++channel) {
-            color[channel] += (light.emission[channel] * incoming.strength) *
-                              (diffuse[channel] * n_l + highlight * surface.highlight_color[channel]);
+            lit[channel] = (light.emission[channel] * incoming.strength) *
+                           (diffuse[channel] * n_l + highlight * surface.highlight_color[channel]);
+            color[channel] += lit[channel];
         }
+        if (recorder) recorder->lights(lit);
     }
     return color;
 }
@@ -67,7 +75,7 @@ void add_weighted(Color &sum, float weight, const Color &color) {
 
 /// Adds the colour that arrives along a primary ray.
 void trace(const KernelScene &scene, const Ray &primary, const Media &media, uint32_t max_depth, KernelScratch &scratch,
-           Color &color) {
+           RayRecorder *recorder, Color &color) {
     scratch.pending.clear();
     PendingRay next{primary, 0, 1.0f, no_triangle, media};
     const auto another_ray = [&] {
@@ -76,17 +84,22 @@ void trace(const KernelScene &scene, const Ray &primary, const Media &media, uin
         scratch.pending.pop_back();
         return true;
     };
+    const auto shows = [&](float weight, const Color &local) {
+        add_weighted(color, weight, local);
+        if (recorder) recorder->shows(weight, local);
+    };
     do {
         const PreparedRay ray(next.ray, scene.geometry.bounds);
         const Hit hit = closest_hit(scene.geometry, ray, std::numeric_limits<float>::max(), next.left_triangle);
+        if (recorder) recorder->meets(next, hit);
         if (hit.triangle_id == no_triangle) {
-            add_weighted(color, next.weight, scene.background);
+            shows(next.weight, scene.background);
             continue;
         }
         const SurfacePoint point = surface_point(scene, ray, hit);
         const SurfaceShading &surface = *point.surface;
         if (surface.is_light) {
-            add_weighted(color, next.weight, surface.emission);
+            shows(next.weight, surface.emission);
             continue;
         }
 
@@ -105,10 +118,11 @@ void trace(const KernelScene &scene, const Ray &primary, const Media &media, uin
         }
         const float local_share = (1.0f - surface.replaced * reflection) - surface.replaced * transmission;
         if (local_share > 0.0f) {
-            add_weighted(color, next.weight * local_share, local_color(scene, point, -ray.dir, scratch.rays));
+            shows(next.weight * local_share, local_color(scene, point, -ray.dir, scratch.rays, recorder));
         }
         if (transmission > 0.0f) {
             ++scratch.rays.secondary;
+            if (recorder) recorder->sends(false);
             scratch.pending.push_back({{offset_point(point, point.scale, -1.0f), through.dir},
                                        next.depth + 1,
                                        next.weight * transmission,
@@ -117,6 +131,7 @@ void trace(const KernelScene &scene, const Ray &primary, const Media &media, uin
         }
         if (reflection > 0.0f) {
             ++scratch.rays.secondary;
+            if (recorder) recorder->sends(true);
             const float twice_n_d = 2.0f * dot(point.normal, ray.dir);
             const glm::vec3 mirrored = {ray.dir.x - twice_n_d * point.normal.x, ray.dir.y - twice_n_d * point.normal.y,
                                         ray.dir.z - twice_n_d * point.normal.z};
@@ -134,32 +149,13 @@ size_t scratch_bytes(const KernelScene &, const KernelFrame &) {
 }
 
 void render_tile(const KernelScene &scene, const KernelFrame &frame, Tile tile, KernelScratch &scratch) {
-    const Camera &camera = frame.camera;
-    const float inverse_width = 1.0f / static_cast<float>(frame.width_px);
-    const float inverse_height = 1.0f / static_cast<float>(frame.height_px);
-    const glm::vec3 eye_to_corner = camera.top_left - camera.eye;
-    const uint32_t sample_count = frame.samples.columns * frame.samples.rows;
-    const float sample_share = 1.0f / static_cast<float>(sample_count);
     for (uint32_t y = tile.y0; y < tile.y1; ++y) {
         for (uint32_t x = tile.x0; x < tile.x1; ++x) {
-            Color color(0.0f);
-            for (uint32_t sample = 0; sample < sample_count; ++sample) {
-                const glm::vec2 place = sample_place(frame.samples, x, y, sample);
-                const float u = (static_cast<float>(x) + place.x) * inverse_width;
-                const float v = (static_cast<float>(y) + place.y) * inverse_height;
-                const glm::vec3 to_pixel = {(eye_to_corner.x + camera.right.x * u) + camera.down.x * v,
-                                            (eye_to_corner.y + camera.right.y * u) + camera.down.y * v,
-                                            (eye_to_corner.z + camera.right.z * u) + camera.down.z * v};
-                ++scratch.rays.primary;
-                trace(scene, {camera.eye, normalize(to_pixel)}, frame.eye_media, frame.max_depth, scratch, color);
-            }
-            color *= sample_share;
-
+            const Color color = pixel_color(scene, frame, x, y, scratch, nullptr);
             const size_t pixel = size_t{y} * frame.width_px + x;
             for (int channel = 0; channel < 3; ++channel) {
                 if (frame.radiance) frame.radiance[pixel * 3 + channel] = color[channel];
-                frame.rgba8[pixel * 4 + channel] =
-                    resolve_channel(displayed(color[channel], frame.tone_scale, frame.to_srgb));
+                frame.rgba8[pixel * 4 + channel] = pixel_byte(frame, color[channel]);
             }
             frame.rgba8[pixel * 4 + 3] = 255;
         }
@@ -187,6 +183,31 @@ void any_hits(const GeometryView &geometry, const RayBatch &rays, uint8_t *occlu
 }
 
 } // namespace
+
+Color pixel_color(const KernelScene &scene, const KernelFrame &frame, uint32_t x, uint32_t y, KernelScratch &scratch,
+                  RayRecorder *recorder) {
+    const Camera &camera = frame.camera;
+    const float inverse_width = 1.0f / static_cast<float>(frame.width_px);
+    const float inverse_height = 1.0f / static_cast<float>(frame.height_px);
+    const glm::vec3 eye_to_corner = camera.top_left - camera.eye;
+    const uint32_t sample_count = frame.samples.columns * frame.samples.rows;
+    Color color(0.0f);
+    for (uint32_t sample = 0; sample < sample_count; ++sample) {
+        const glm::vec2 place = sample_place(frame.samples, x, y, sample);
+        const float u = (static_cast<float>(x) + place.x) * inverse_width;
+        const float v = (static_cast<float>(y) + place.y) * inverse_height;
+        const glm::vec3 to_pixel = {(eye_to_corner.x + camera.right.x * u) + camera.down.x * v,
+                                    (eye_to_corner.y + camera.right.y * u) + camera.down.y * v,
+                                    (eye_to_corner.z + camera.right.z * u) + camera.down.z * v};
+        ++scratch.rays.primary;
+        trace(scene, {camera.eye, normalize(to_pixel)}, frame.eye_media, frame.max_depth, scratch, recorder, color);
+    }
+    return color * (1.0f / static_cast<float>(sample_count));
+}
+
+uint8_t pixel_byte(const KernelFrame &frame, float channel) {
+    return resolve_channel(displayed(channel, frame.tone_scale, frame.to_srgb));
+}
 
 const Kernel scalar_kernel = {Isa::scalar, scratch_bytes, render_tile, closest_hits, any_hits};
 

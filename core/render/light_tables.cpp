@@ -29,14 +29,24 @@ LightShading light_shading(const Light &light, const Point &position, uint32_t f
     return shading;
 }
 
+/// Whether it shines from places on its mesh.
+bool has_area(const Light &light) {
+    return light.mesh && !light.position;
+}
+
 } // namespace
+
+uint32_t LightTables::entries_of(const Light &light) {
+    if (!has_area(light)) return 1;
+    const uint32_t cells = light.grid_width * light.grid_height;
+    return cells > 0 ? cells : light.shadow_rays;
+}
 
 void LightTables::add(const Light &light, const Point &position, uint32_t first, uint32_t count) {
     LightShading entry = light_shading(light, position, first, count);
     const uint32_t cells = light.grid_width * light.grid_height;
-    const uint32_t places = cells > 0 ? cells : light.shadow_rays;
-    const bool has_area = light.mesh && !light.position;
-    if (!has_area || (places == 1 && cells == 0)) {
+    const uint32_t places = entries_of(light);
+    if (!has_area(light) || (places == 1 && cells == 0)) {
         entries_.push_back(entry);
         return;
     }

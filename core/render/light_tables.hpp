@@ -15,6 +15,9 @@ public:
     /// Adds a light whose own shape has so many triangles or quadrics, from this one on.
     void add(const Light &light, const Point &position, uint32_t first, uint32_t count);
 
+    /// Entries that a light gets.
+    [[nodiscard]] static uint32_t entries_of(const Light &light);
+
     /// Valid while this object lives and nothing is added.
     [[nodiscard]] const std::vector<LightShading> &entries() const { return entries_; }
     /// Whether all of them shine the same in all directions, from one place.

@@ -6,10 +6,9 @@
 
 #include "kernel/kernel.hpp"
 #include "render/aligned_memory.hpp"
-#include "render/eye_media.hpp"
+#include "render/kernel_frame.hpp"
 #include "render/shading_tables.hpp"
 #include "render/tiling.hpp"
-#include "scene/camera_check.hpp"
 #include "threads/worker_pool.hpp"
 
 namespace glint {
@@ -64,29 +63,13 @@ Isa Renderer::isa() const {
 Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptions &options, RenderControl *control) {
     const std::lock_guard lock(impl_->one_render);
     const auto start = std::chrono::steady_clock::now();
-    const Scene &scene = impl_->accel->scene();
-    if (options.camera) {
-        if (const auto problem = camera_problem(*options.camera)) return Error(ErrorCode::bad_input, *problem);
-    }
-
     const KernelScene kernel_scene = impl_->tables.kernel_scene();
-    KernelFrame frame{};
-    frame.camera = options.camera.value_or(scene.camera());
-    frame.width_px = target.width_px();
-    frame.height_px = target.height_px();
-    frame.max_depth = options.max_depth.value_or(scene.picture().max_depth);
+    Result<KernelFrame> asked =
+        kernel_frame(impl_->accel->scene(), kernel_scene, options, target.width_px(), target.height_px());
+    if (!asked) return asked.error();
+    KernelFrame &frame = *asked;
     frame.rgba8 = target.rgba8();
     frame.radiance = target.radiance();
-    const PictureSettings &picture = scene.picture();
-    const uint32_t samples = options.samples_per_pixel.value_or(picture.samples_per_pixel);
-    if (samples < 1 || samples > max_samples) {
-        return Error(ErrorCode::bad_input, "a picture of " + std::to_string(samples) +
-                                               " samples a pixel, expected 1 to " + std::to_string(max_samples));
-    }
-    frame.samples = sample_grid(samples, options.pattern.value_or(picture.pattern), picture.seed);
-    frame.tone_scale = picture.tone_scale;
-    frame.to_srgb = options.transfer == Transfer::srgb;
-    if (kernel_scene.has_refraction) frame.eye_media = media_around(scene, frame.camera.eye);
 
     const Tiling tiling(frame.width_px, frame.height_px);
     RenderControl uncontrolled;

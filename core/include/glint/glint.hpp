@@ -6,6 +6,7 @@
 #include <glint/isa.hpp>
 #include <glint/quadric.hpp>
 #include <glint/ray_query.hpp>
+#include <glint/ray_tree.hpp>
 #include <glint/read.hpp>
 #include <glint/renderer.hpp>
 #include <glint/result.hpp>

@@ -1,0 +1,32 @@
+// A picture to be rendered, as the kernels see it.
+#include "render/kernel_frame.hpp"
+
+#include "render/eye_media.hpp"
+#include "scene/camera_check.hpp"
+
+namespace glint {
+
+Result<KernelFrame> kernel_frame(const Scene &scene, const KernelScene &kernel_scene, const RenderOptions &options,
+                                 uint32_t width_px, uint32_t height_px) {
+    if (options.camera) {
+        if (const auto problem = camera_problem(*options.camera)) return Error(ErrorCode::bad_input, *problem);
+    }
+    KernelFrame frame{};
+    frame.camera = options.camera.value_or(scene.camera());
+    frame.width_px = width_px;
+    frame.height_px = height_px;
+    frame.max_depth = options.max_depth.value_or(scene.picture().max_depth);
+    const PictureSettings &picture = scene.picture();
+    const uint32_t samples = options.samples_per_pixel.value_or(picture.samples_per_pixel);
+    if (samples < 1 || samples > max_samples) {
+        return Error(ErrorCode::bad_input, "a picture of " + std::to_string(samples) +
+                                               " samples a pixel, expected 1 to " + std::to_string(max_samples));
+    }
+    frame.samples = sample_grid(samples, options.pattern.value_or(picture.pattern), picture.seed);
+    frame.tone_scale = picture.tone_scale;
+    frame.to_srgb = options.transfer == Transfer::srgb;
+    if (kernel_scene.has_refraction) frame.eye_media = media_around(scene, frame.camera.eye);
+    return frame;
+}
+
+} // namespace glint
