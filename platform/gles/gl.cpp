@@ -38,6 +38,8 @@ Status load_es2(Gl &gl, const ProcLoader &load_proc) {
     entry.get(gl.bind_buffer, "glBindBuffer");
     entry.get(gl.bind_framebuffer, "glBindFramebuffer");
     entry.get(gl.bind_texture, "glBindTexture");
+    entry.get(gl.blend_equation_separate, "glBlendEquationSeparate");
+    entry.get(gl.blend_func_separate, "glBlendFuncSeparate");
     entry.get(gl.buffer_data, "glBufferData");
     entry.get(gl.check_framebuffer_status, "glCheckFramebufferStatus");
     entry.get(gl.color_mask, "glColorMask");
@@ -67,6 +69,7 @@ Status load_es2(Gl &gl, const ProcLoader &load_proc) {
     entry.get(gl.get_shader_info_log, "glGetShaderInfoLog");
     entry.get(gl.get_shaderiv, "glGetShaderiv");
     entry.get(gl.get_string, "glGetString");
+    entry.get(gl.get_uniform_location, "glGetUniformLocation");
     entry.get(gl.get_vertex_attribiv, "glGetVertexAttribiv");
     entry.get(gl.get_vertex_attrib_pointerv, "glGetVertexAttribPointerv");
     entry.get(gl.is_enabled, "glIsEnabled");
@@ -77,6 +80,7 @@ Status load_es2(Gl &gl, const ProcLoader &load_proc) {
     entry.get(gl.tex_image_2d, "glTexImage2D");
     entry.get(gl.tex_parameteri, "glTexParameteri");
     entry.get(gl.tex_sub_image_2d, "glTexSubImage2D");
+    entry.get(gl.uniform_2f, "glUniform2f");
     entry.get(gl.use_program, "glUseProgram");
     entry.get(gl.vertex_attrib_pointer, "glVertexAttribPointer");
     entry.get(gl.viewport, "glViewport");
@@ -90,6 +94,19 @@ Status load_gl3_objects(Gl &gl, const ProcLoader &load_proc) {
     entry.get(gl.delete_vertex_arrays, "glDeleteVertexArrays");
     entry.get(gl.gen_vertex_arrays, "glGenVertexArrays");
     return entry.status();
+}
+
+/// Under whichever name the context has it.
+void load_reset_status(Gl &gl, const ProcLoader &load_proc) {
+    const char *name = nullptr;
+    if (gl.version_number >= (gl.is_es ? 32 : 45))
+        name = "glGetGraphicsResetStatus";
+    else if (gl.has_es_extension("GL_KHR_robustness"))
+        name = "glGetGraphicsResetStatusKHR";
+    else if (gl.has_es_extension("GL_EXT_robustness"))
+        name = "glGetGraphicsResetStatusEXT";
+    if (name == nullptr) return;
+    gl.get_graphics_reset_status = reinterpret_cast<PFNGLGETGRAPHICSRESETSTATUSEXTPROC>(load_proc(name));
 }
 
 std::string text(const Gl &gl, GLenum name) {
@@ -132,18 +149,25 @@ Result<Gl> Gl::load(const ProcLoader &load_proc) {
     if (gl.has_gl3_objects) {
         if (Status status = load_gl3_objects(gl, load_proc); !status) return std::move(status).error();
     }
+    load_reset_status(gl, load_proc);
     return gl;
 }
 
-Status Gl::check(const char *call) const {
+GLenum Gl::next_error() const {
     const GLenum code = get_error();
+    if (code == GL_CONTEXT_LOST_KHR) lost_ = true;
+    return code;
+}
+
+Status Gl::check(const char *call) const {
+    const GLenum code = next_error();
     if (code == GL_NO_ERROR) return Done{};
     const ErrorCode kind = code == GL_OUT_OF_MEMORY ? ErrorCode::limit_exceeded : ErrorCode::unsupported;
     return Error(kind, std::string(call) + " failed with " + error_name(code));
 }
 
 Status Gl::check_nothing_pending() const {
-    const GLenum first = get_error();
+    const GLenum first = next_error();
     if (first == GL_NO_ERROR) return Done{};
     // An implementation may keep several flags; without a context some report an error for ever.
     for (int i = 0; i < 8 && get_error() != GL_NO_ERROR; ++i) {
@@ -155,6 +179,11 @@ GLint Gl::integer(GLenum name) const {
     GLint value = 0;
     get_integerv(name, &value);
     return value;
+}
+
+bool Gl::is_lost() const {
+    if (!lost_ && get_graphics_reset_status != nullptr) lost_ = get_graphics_reset_status() != GL_NO_ERROR;
+    return lost_;
 }
 
 bool Gl::has_es_extension(const char *name) const {

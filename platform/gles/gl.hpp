@@ -24,6 +24,9 @@ struct Gl {
     [[nodiscard]] Status check(const char *call) const;
     /// Fails with, and clears, errors that calls of others left behind.
     [[nodiscard]] Status check_nothing_pending() const;
+    /// Whether the context has said that it is lost, here or as an error that was checked for; never where contexts
+    /// cannot tell.
+    [[nodiscard]] bool is_lost() const;
     [[nodiscard]] GLint integer(GLenum name) const;
     /// "GL_VERSION, GL_RENDERER".
     [[nodiscard]] std::string description() const { return version + ", " + renderer; }
@@ -46,6 +49,8 @@ struct Gl {
     PFNGLBINDBUFFERPROC bind_buffer = nullptr;
     PFNGLBINDFRAMEBUFFERPROC bind_framebuffer = nullptr;
     PFNGLBINDTEXTUREPROC bind_texture = nullptr;
+    PFNGLBLENDEQUATIONSEPARATEPROC blend_equation_separate = nullptr;
+    PFNGLBLENDFUNCSEPARATEPROC blend_func_separate = nullptr;
     PFNGLBUFFERDATAPROC buffer_data = nullptr;
     PFNGLCHECKFRAMEBUFFERSTATUSPROC check_framebuffer_status = nullptr;
     PFNGLCOLORMASKPROC color_mask = nullptr;
@@ -75,6 +80,7 @@ struct Gl {
     PFNGLGETSHADERINFOLOGPROC get_shader_info_log = nullptr;
     PFNGLGETSHADERIVPROC get_shaderiv = nullptr;
     PFNGLGETSTRINGPROC get_string = nullptr;
+    PFNGLGETUNIFORMLOCATIONPROC get_uniform_location = nullptr;
     PFNGLGETVERTEXATTRIBIVPROC get_vertex_attribiv = nullptr;
     PFNGLGETVERTEXATTRIBPOINTERVPROC get_vertex_attrib_pointerv = nullptr;
     PFNGLISENABLEDPROC is_enabled = nullptr;
@@ -85,6 +91,7 @@ struct Gl {
     PFNGLTEXIMAGE2DPROC tex_image_2d = nullptr;
     PFNGLTEXPARAMETERIPROC tex_parameteri = nullptr;
     PFNGLTEXSUBIMAGE2DPROC tex_sub_image_2d = nullptr;
+    PFNGLUNIFORM2FPROC uniform_2f = nullptr;
     PFNGLUSEPROGRAMPROC use_program = nullptr;
     PFNGLVERTEXATTRIBPOINTERPROC vertex_attrib_pointer = nullptr;
     PFNGLVIEWPORTPROC viewport = nullptr;
@@ -94,6 +101,13 @@ struct Gl {
     PFNGLBINDVERTEXARRAYPROC bind_vertex_array = nullptr;
     PFNGLDELETEVERTEXARRAYSPROC delete_vertex_arrays = nullptr;
     PFNGLGENVERTEXARRAYSPROC gen_vertex_arrays = nullptr;
+
+    // Set where the context tells whether it is lost.
+    PFNGLGETGRAPHICSRESETSTATUSEXTPROC get_graphics_reset_status = nullptr;
+
+private:
+    [[nodiscard]] GLenum next_error() const;
+    mutable bool lost_ = false; // contexts may say so only once
 };
 
 /// "GL_INVALID_VALUE" and the like; other codes in hexadecimal.

@@ -151,4 +151,20 @@ void SavedDrawState::restore_texture_unit() {
     gl_.active_texture(active_texture_);
 }
 
+SavedBlending::SavedBlending(const Gl &gl, GLenum source) : gl_(gl) {
+    const auto value = [&gl](GLenum name) { return static_cast<GLenum>(gl.integer(name)); };
+    functions_ = {value(GL_BLEND_SRC_RGB), value(GL_BLEND_DST_RGB), value(GL_BLEND_SRC_ALPHA),
+                  value(GL_BLEND_DST_ALPHA)};
+    equations_ = {value(GL_BLEND_EQUATION_RGB), value(GL_BLEND_EQUATION_ALPHA)};
+    gl_.blend_func_separate(source, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.blend_equation_separate(GL_FUNC_ADD, GL_FUNC_ADD);
+    gl_.enable(GL_BLEND);
+}
+
+SavedBlending::~SavedBlending() {
+    gl_.disable(GL_BLEND);
+    gl_.blend_equation_separate(equations_[0], equations_[1]);
+    gl_.blend_func_separate(functions_[0], functions_[1], functions_[2], functions_[3]);
+}
+
 } // namespace glint::gles

@@ -96,4 +96,20 @@ private:
     std::vector<GLenum> enabled_;
 };
 
+/// How colours are blended, for blending that it turns on. Within the life of a SavedDrawState, which has turned it
+/// off.
+class SavedBlending {
+public:
+    /// Blends with `source` * the picture's colour + (1 - its alpha) * what is there; alphas add up as coverages do.
+    SavedBlending(const Gl &gl, GLenum source);
+    ~SavedBlending();
+    SavedBlending(const SavedBlending &) = delete;
+    SavedBlending &operator=(const SavedBlending &) = delete;
+
+private:
+    const Gl &gl_;
+    std::array<GLenum, 4> functions_; ///< of source and destination: colour; alpha
+    std::array<GLenum, 2> equations_; ///< of colour, of alpha
+};
+
 } // namespace glint::gles

@@ -22,6 +22,9 @@ constexpr NamedValue integers[] = {
     {"GL_ARRAY_BUFFER_BINDING", GL_ARRAY_BUFFER_BINDING},
     {"GL_BLEND_DST_ALPHA", GL_BLEND_DST_ALPHA},
     {"GL_BLEND_SRC_RGB", GL_BLEND_SRC_RGB},
+    {"GL_BLEND_DST_RGB", GL_BLEND_DST_RGB},
+    {"GL_BLEND_SRC_ALPHA", GL_BLEND_SRC_ALPHA},
+    {"GL_BLEND_EQUATION_ALPHA", GL_BLEND_EQUATION_ALPHA},
     {"GL_BLEND_EQUATION_RGB", GL_BLEND_EQUATION_RGB},
     {"GL_COLOR_WRITEMASK", GL_COLOR_WRITEMASK, 4},
     {"GL_CULL_FACE_MODE", GL_CULL_FACE_MODE},
@@ -169,8 +172,9 @@ void lay_rows_with_gaps(const gles::Gl &gl) {
 }
 
 void fail_every_test(const gles::Gl &gl, const gles::ProcLoader &load) {
-    load_as<PFNGLBLENDFUNCSEPARATEPROC>(load, "glBlendFuncSeparate")(GL_DST_COLOR, GL_ZERO, GL_ONE, GL_ONE);
-    load_as<PFNGLBLENDEQUATIONPROC>(load, "glBlendEquation")(GL_FUNC_REVERSE_SUBTRACT);
+    load_as<PFNGLBLENDFUNCSEPARATEPROC>(load, "glBlendFuncSeparate")(GL_DST_COLOR, GL_ZERO, GL_DST_ALPHA, GL_SRC_COLOR);
+    load_as<PFNGLBLENDEQUATIONSEPARATEPROC>(load, "glBlendEquationSeparate")(GL_FUNC_REVERSE_SUBTRACT,
+                                                                             GL_FUNC_SUBTRACT);
     load_as<PFNGLCULLFACEPROC>(load, "glCullFace")(GL_FRONT_AND_BACK);
     load_as<PFNGLFRONTFACEPROC>(load, "glFrontFace")(GL_CW);
     load_as<PFNGLDEPTHFUNCPROC>(load, "glDepthFunc")(GL_NEVER);

@@ -37,8 +37,14 @@ protected:
             EXPECT_EQ(take_snapshot(*gl), before) << "after read_back()";
             EXPECT_TRUE(same_bytes(picture, *shown));
         }
-        ASSERT_TRUE((*presenter)->draw(1, 1, 5, 5));
-        EXPECT_EQ(take_snapshot(*gl), before) << "after a scaled draw()";
+        for (const gles::Filter filter : {gles::Filter::nearest, gles::Filter::bilinear, gles::Filter::sharp}) {
+            for (const gles::Blend blend : {gles::Blend::replace, gles::Blend::straight, gles::Blend::premultiplied}) {
+                ASSERT_TRUE((*presenter)->draw(1, 1, 5, 5, {filter, blend}));
+                EXPECT_EQ(take_snapshot(*gl), before) << "after a reduced draw()";
+                ASSERT_TRUE((*presenter)->draw(-5, 1, 100, 100, {filter, blend}));
+                EXPECT_EQ(take_snapshot(*gl), before) << "after an enlarged draw()";
+            }
+        }
         presenter->reset();
         EXPECT_EQ(take_snapshot(*gl), before) << "after the presenter's end";
     }
@@ -62,8 +68,8 @@ TEST_P(GlState, survives_calls_that_fail) {
     ASSERT_TRUE(gl);
     make_unusual(*gl, surface_->proc_loader());
     const GlSnapshot before = take_snapshot(*gl);
-    const auto too_wide = static_cast<uint32_t>(gl->integer(GL_MAX_TEXTURE_SIZE)) + 1;
-    EXPECT_FALSE((*presenter)->upload(random_picture(too_wide, 1, 1)));
+    const Framebuffer picture = random_picture(64, 48, 1);
+    EXPECT_FALSE((*presenter)->upload({picture.rgba8(), 64, 48, 4 * 63}));
     EXPECT_EQ(take_snapshot(*gl), before);
     EXPECT_FALSE((*presenter)->draw(0, 0, 64, 48));
     EXPECT_EQ(take_snapshot(*gl), before);

@@ -1,17 +1,39 @@
-// Shows a framebuffer through OpenGL ES: one RGBA8 texture on two triangles.
+// Shows a picture through OpenGL ES: an RGBA8 texture on two triangles.
 #pragma once
 
 #include <memory>
 
 #include <glint/export.hpp>
-#include <glint/framebuffer.hpp>
+#include <glint/gles/pixel_view.hpp>
 #include <glint/gles/surface.hpp>
 #include <glint/result.hpp>
 
 namespace glint::gles {
 
-/// Draws framebuffers with whatever OpenGL ES context is current; it knows no window. It needs OpenGL ES 2.0 and uses
-/// what newer contexts have; a desktop core profile that takes ES 2.0 shaders serves too.
+/// What stands between a picture's pixels where the rectangle has another size. In its own size a picture is shown to
+/// the byte with each of them.
+enum class Filter {
+    nearest,  ///< the nearest pixel: large squares
+    bilinear, ///< the four around, by distance
+    sharp,    ///< the sixteen around by a Catmull-Rom spline, kept within the range of the inner four; where a side
+              ///< shrinks, bilinear
+};
+
+/// How a picture meets what the framebuffer holds.
+enum class Blend {
+    replace,       ///< it is overwritten, alpha too
+    straight,      ///< shines through where alpha is below 255; the picture's colours are as they are
+    premultiplied, ///< the same, the picture's colours are multiplied by alpha already
+};
+
+struct DrawOptions {
+    Filter filter = Filter::sharp;
+    Blend blend = Blend::replace;
+};
+
+/// Draws pictures with whatever OpenGL ES context is current; it knows no window. It needs OpenGL ES 2.0 and uses
+/// what newer contexts have; a desktop core profile that takes ES 2.0 shaders serves too. Several presenters share a
+/// context: a heads-up display is one more, drawn with blending over the picture.
 ///
 /// Every call needs the context that was current at create(), in the thread where it is current. The context's state
 /// is after each call what it was before, save for texture and buffer names in use. State that a context keeps for
@@ -28,13 +50,20 @@ public:
     Presenter(const Presenter &) = delete;
     Presenter &operator=(const Presenter &) = delete;
 
-    /// Copies the 8-bit picture to the texture, whose storage is made anew only when the size changes. Fails with
-    /// limit_exceeded when the picture is larger than the context's textures may be.
-    Status upload(const Framebuffer &picture);
+    /// Copies the picture (a Framebuffer or any other RGBA8 pixels) to the texture, whose storage is made anew only
+    /// when the size changes. A picture larger than the context's textures may be goes to several. Sizes need be no
+    /// powers of two: without mipmaps and repetition OpenGL ES 2.0 takes them all. Fails with bad_input when there are
+    /// no pixels.
+    Status upload(const PixelView &picture);
     /// Fills a rectangle of the current framebuffer with the picture last uploaded, its top row at the rectangle's
     /// top. (x, y) is the rectangle's lower left corner in OpenGL's window coordinates. Pixels arrive unchanged where
-    /// the rectangle has the picture's size; otherwise they are interpolated. An empty rectangle draws nothing.
-    Status draw(int x, int y, int width_px, int height_px);
+    /// the rectangle has the picture's size and blends with nothing; otherwise `how` says what comes between them. An
+    /// empty rectangle draws nothing.
+    Status draw(int x, int y, int width_px, int height_px, const DrawOptions &how = {});
+    /// Whether the context says that it is lost (the graphics processor was reset, for instance). Only contexts that
+    /// tell (OpenGL ES 3.2, GL_KHR_robustness, GL_EXT_robustness) ever do. Nothing can be shown any more then:
+    /// abandon(), make a new context and in it a new presenter; ReliablePresenter does all that.
+    [[nodiscard]] bool context_lost() const;
     /// The context is gone: forgets the GL names without calling GL. Afterwards upload() and draw() fail.
     void abandon();
 
