@@ -16,6 +16,7 @@ struct Command {
 
 // Each adds its subcommand to `parser`.
 [[nodiscard]] Command add_render_command(CLI::App &parser);
+[[nodiscard]] Command add_view_command(CLI::App &parser);
 [[nodiscard]] Command add_info_command(CLI::App &parser);
 [[nodiscard]] Command add_convert_command(CLI::App &parser);
 
