@@ -18,6 +18,7 @@ namespace {
 constexpr const char *examples = R"(Examples:
   glint render scenes/sdl/cornell.sdl -o cornell.png
   glint info scenes/sdl/cornell.sdl
+  glint inspect scenes/sdl/cornell.sdl --pixel 120,200
   glint convert scenes/sdl/cornell.sdl
   glint bench table --sizes 128,256 --depths 1,2
 
@@ -47,7 +48,8 @@ ExitCode run(int argc, char **argv) {
     parser.set_version_flag("--version", version_text, "Print the versions of glint and what it is built on");
     parser.require_subcommand(1);
     parser.footer(examples);
-    std::vector<Command> commands = {add_render_command(parser), add_info_command(parser), add_convert_command(parser)};
+    std::vector<Command> commands = {add_render_command(parser), add_info_command(parser), add_inspect_command(parser),
+                                     add_convert_command(parser)};
     CLI::App *bench = parser.add_subcommand("bench", "Measure this machine");
     bench->require_subcommand(1);
     for (const auto &add_command : {add_bench_table_command, add_bench_frame_command, add_bench_kernels_command}) {

@@ -55,6 +55,7 @@ public:
         ray.kind = RayKind::shadow;
         ray.parent = current_;
         ray.light = light_of(accel_.scene(), entry);
+        ray.light_name = accel_.scene().lights()[ray.light].name;
         ray.light_share = share;
         const LightShading &light = kernel_scene_.lights[entry];
         // It is traced from the light, but for directional light, and told from the point.

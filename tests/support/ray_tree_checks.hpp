@@ -94,6 +94,7 @@ inline void expect_follows_from_its_parent(const RayTree &tree, uint32_t index, 
     EXPECT_TRUE(ray.light_share >= 0.0f && ray.light_share <= 1.0f);
     const bool ends_at_its_light = ray.target == RayTarget::light && ray.target_index == ray.light;
     EXPECT_EQ(ray.light_share == 1.0f, ends_at_its_light);
+    EXPECT_TRUE(!ends_at_its_light || ray.light_name == ray.target_name);
     if (ray.light_share == 0.0f) {
         EXPECT_EQ(ray.local_color, Color(0.0f));
     }
