@@ -37,7 +37,8 @@ before those that it sent, each with
                   of a shadow ray the light or, where not all light comes through, what is in the way
   weight, local_weight, local_color     as above
   contribution    what it and all rays below bring to the sample; of a shadow ray: to its parent's
-  light, light_share     of a shadow ray: the light's index, the share that comes through; else null
+  light, light_name, light_share     of a shadow ray: the light's index and name, and the share of
+                  it that comes through; else null
 
 Examples:
   glint inspect cornell.sdl --pixel 300,380 --size 512x512 --depth 2

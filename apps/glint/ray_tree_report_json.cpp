@@ -36,6 +36,7 @@ Json to_json(const TracedRay &ray) {
             {"local_color", to_json(ray.local_color)},
             {"contribution", to_json(ray.contribution)},
             {"light", is_shadow ? Json(ray.light) : Json(nullptr)},
+            {"light_name", is_shadow ? Json(ray.light_name) : Json(nullptr)},
             {"light_share", is_shadow ? Json(ray.light_share) : Json(nullptr)}};
 }
 

@@ -42,8 +42,8 @@ public:
 
     Rectangle draw() {
         if (content_.shows_figures || !content_.frame_times_ms.empty()) draw_figures();
-        if (content_.ray_tree) draw_rays(*content_.ray_tree);
         if (!content_.message.empty()) draw_message();
+        if (content_.ray_tree) draw_rays(*content_.ray_tree);
         if (!content_.help.empty()) draw_help();
         return drawn_;
     }
@@ -59,8 +59,8 @@ private:
         const bool has_graph = !content_.frame_times_ms.empty();
         const int rows = content_.shows_figures ? figure_rows + (content_.figures.is_paused ? 1 : 0) : 0;
         const int graph_rows = has_graph ? 1 : 0; // for its scale
-        const Rectangle size =
-            Panel::size(figure_columns, rows + graph_rows, has_graph ? graph_px + margin_px : 0, scale_);
+        Rectangle size = Panel::size(figure_columns, rows + graph_rows, has_graph ? graph_px : 0, scale_);
+        size.x1 += scale_; // which makes room for the graph's last bar
         const Panel made = panel(moved(size, room_.x0, room_.y0));
         figures_ = made.area();
         if (content_.shows_figures) write_figures(made);
@@ -71,11 +71,10 @@ private:
         const HudFigures &f = content_.figures;
         int row = 0;
         const auto write = [&](const std::string &left, const std::string &right) {
-            panel.left(row, left, ink::dim);
-            panel.right(row++, right, ink::bright);
+            panel.ends(row++, left, ink::dim, right, ink::bright);
         };
-        panel.left(row, short_number(f.fps) + " fps", ink::bright);
-        panel.right(row++, content_.target_ms > 0.0f ? format("of %.0f", 1000.0 / content_.target_ms) : "", ink::dim);
+        const std::string target = content_.target_ms > 0.0f ? format("of %.0f", 1000.0 / content_.target_ms) : "";
+        panel.ends(row++, short_number(f.fps) + " fps", ink::bright, target, ink::dim);
         write("render", short_number(f.render_ms) + " ms");
         write("upload", short_number(f.upload_ms) + " ms");
         write("GL", short_number(f.gl_ms) + " ms");
@@ -84,17 +83,15 @@ private:
         write("depth " + std::to_string(f.depth),
               std::to_string(f.samples) + (f.samples == 1 ? " sample" : " samples"));
         write(std::to_string(f.threads) + (f.threads == 1 ? " thread" : " threads"), f.isa);
-        if (f.is_paused) panel.left(row, "paused", ink::slow);
+        if (f.is_paused) panel.text(row, "paused", ink::slow);
     }
 
     void draw_graph(const Panel &panel, int rows) const {
         const std::span<const float> times = content_.frame_times_ms.last(
             std::min<size_t>(content_.frame_times_ms.size(), HudContent::most_frame_times));
         const float top_ms = graph_top_ms(times, content_.target_ms);
-        panel.left(rows, "frames", ink::dim);
-        panel.right(rows, short_number(top_ms) + " ms", ink::dim);
-        const Rectangle area = panel.below(rows + 1);
-        draw_frame_graph(canvas_, {area.x0, area.y0, area.x1, area.y1}, times, content_.target_ms, scale_);
+        panel.ends(rows, "frames", ink::dim, short_number(top_ms) + " ms", ink::dim);
+        draw_frame_graph(canvas_, panel.below(rows + 1), times, content_.target_ms, scale_);
     }
 
     /// Beside the figures where there is room for a useful list, else along the lower edge.
@@ -117,7 +114,9 @@ private:
 
     void draw_message() {
         const Rectangle size = Panel::size(columns_of(content_.message), 1, 0, scale_);
-        panel(moved(size, room_.x0, room_.y1 - size.height())).left(0, content_.message, ink::bright);
+        const Panel made = panel(moved(size, room_.x0, room_.y1 - size.height()));
+        made.text(0, content_.message, ink::bright);
+        room_.y1 = made.area().y0 - margin_px * scale_; // the list of rays may lie along the same edge
     }
 
     void draw_help() {
@@ -133,8 +132,8 @@ private:
                                        std::max(room_.y0, (all.height() - size.height()) / 2)));
         for (int row = 0; row < rows; ++row) {
             const HudKey &key = content_.help[static_cast<size_t>(row)];
-            made.left(row, key.keys, ink::bright);
-            made.left(row, key.meaning, ink::dim, key_columns + 2);
+            made.text(row, key.keys, ink::bright);
+            made.text(row, key.meaning, ink::dim, key_columns + 2);
         }
     }
 

@@ -10,7 +10,7 @@ namespace glint::viewer {
 Rectangle Panel::size(int columns, int rows, int extra_px, int scale) {
     // The last letter and the last row need no distance to another one.
     const int width = columns * Glyph::advance_px - (Glyph::advance_px - Glyph::width_px);
-    const int height = rows * row_px - (row_px - Glyph::height_px) + extra_px;
+    const int height = rows * row_px + (extra_px > 0 ? extra_px : Glyph::height_px - row_px);
     return {0, 0, (width + 2 * margin_px) * scale, (height + 2 * margin_px) * scale};
 }
 
@@ -29,17 +29,15 @@ int Panel::rows() const {
     return std::max(0, (inside_.height() + gap) / (row_px * scale_));
 }
 
-void Panel::left(int row, std::string_view text, Rgba color, int column) const {
+void Panel::text(int row, std::string_view text, Rgba color, int column) const {
     if (row >= rows()) return;
     draw_text(canvas_, x_of(column), y_of(row), cut_to(text, columns() - column), color, scale_);
 }
 
-void Panel::right(int row, std::string_view text, Rgba color) const {
-    left(row, text, color, std::max(0, columns() - columns_of(text)));
-}
-
-void Panel::middle(int row, std::string_view text, Rgba color) const {
-    left(row, text, color, std::max(0, columns() - columns_of(text)) / 2);
+void Panel::ends(int row, std::string_view left, Rgba left_color, std::string_view right, Rgba right_color) const {
+    text(row, left, left_color);
+    const int column = columns() - columns_of(right);
+    if (column > columns_of(left)) text(row, right, right_color, column);
 }
 
 void Panel::swatch(int row, int column, int columns, Rgba color) const {

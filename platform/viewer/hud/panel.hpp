@@ -8,7 +8,7 @@
 namespace glint::viewer {
 
 namespace ink {
-inline constexpr Rgba plate{10, 12, 16, 184};
+inline constexpr Rgba plate{10, 12, 16, 208};
 inline constexpr Rgba bright{240, 242, 245, 255};
 inline constexpr Rgba dim{158, 168, 182, 255};
 inline constexpr Rgba good{96, 200, 120, 255};
@@ -31,10 +31,10 @@ public:
     [[nodiscard]] const Rectangle &area() const { return area_; }
     [[nodiscard]] int columns() const;
     [[nodiscard]] int rows() const;
-    /// From the left, the right, or in the middle of a row; what is too long for it is cut.
-    void left(int row, std::string_view text, Rgba color, int column = 0) const;
-    void right(int row, std::string_view text, Rgba color) const;
-    void middle(int row, std::string_view text, Rgba color) const;
+    /// Text from a column of a row on; what is too long for it is cut.
+    void text(int row, std::string_view text, Rgba color, int column = 0) const;
+    /// Text at both ends of a row or, where they would meet, the left one alone.
+    void ends(int row, std::string_view left, Rgba left_color, std::string_view right, Rgba right_color) const;
     /// Fills so many columns of a row with a colour.
     void swatch(int row, int column, int columns, Rgba color) const;
     /// Below that many rows, down to the lower edge's margin.

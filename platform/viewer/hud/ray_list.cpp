@@ -32,8 +32,13 @@ Color arriving(const TracedRay &ray) {
     return ray.weight > 0.0f ? ray.contribution * (1.0f / ray.weight) : Color(0.0f);
 }
 
+/// Names need not be unique.
+std::string numbered(const std::string &name, uint32_t index) {
+    return name + format(" (%u)", index);
+}
+
 std::string target_of(const TracedRay &ray) {
-    return ray.target == RayTarget::background ? "background" : ray.target_name;
+    return ray.target == RayTarget::background ? "background" : numbered(ray.target_name, ray.target_index);
 }
 
 std::string text_of(const RayTree &tree, const TracedRay &ray) {
@@ -47,11 +52,10 @@ std::string text_of(const RayTree &tree, const TracedRay &ray) {
     case RayKind::shadow:
         break;
     }
-    if (ray.light_share == 1.0f) return "light: " + ray.light_name;
-    if (ray.light_share > 0.0f) {
-        return format("%.0f%% of ", 100.0 * ray.light_share) + ray.light_name + " through " + target_of(ray);
-    }
-    return "no " + ray.light_name + ": " + target_of(ray);
+    const std::string light = numbered(ray.light_name, ray.light);
+    if (ray.light_share == 1.0f) return "light: " + light;
+    const std::string share = ray.light_share > 0.0f ? format("%.0f%% of ", 100.0 * ray.light_share) : "no ";
+    return share + light + ": " + target_of(ray);
 }
 
 Rgba color_of(const TracedRay &ray) {
@@ -74,11 +78,11 @@ std::string numbers_of(const TracedRay &ray) {
 }
 
 void draw_row(const Panel &panel, int row, const RayTree &tree, const TracedRay &ray) {
-    constexpr int swatch_columns = 2, text_column = 19, most_indent = 16;
+    constexpr int swatch_columns = 2, text_column = 18, most_indent = 16;
     panel.swatch(row, 0, swatch_columns, opaque(arriving(ray)));
-    panel.left(row, numbers_of(ray), ink::dim, swatch_columns + 1);
+    panel.text(row, numbers_of(ray), ink::dim, swatch_columns + 1);
     const int indent = std::min(static_cast<int>(std::min(ray.level, 64u)) * 2, most_indent);
-    panel.left(row, text_of(tree, ray), color_of(ray), text_column + indent);
+    panel.text(row, text_of(tree, ray), color_of(ray), text_column + indent);
 }
 
 } // namespace
@@ -89,11 +93,11 @@ int ray_list_rows(const RayTree &tree) {
 
 void draw_ray_list(const Panel &panel, const RayTree &tree, uint32_t first_ray) {
     const auto count = static_cast<int>(tree.rays.size());
-    panel.left(0, format("pixel %u,%u", tree.x, tree.y), ink::bright);
-    panel.right(0, format("%d ray%s, depth %u", count, count == 1 ? "" : "s", tree.max_depth), ink::dim);
+    panel.ends(0, format("pixel %u,%u", tree.x, tree.y), ink::bright,
+               format("%d ray%s, depth %u", count, count == 1 ? "" : "s", tree.max_depth), ink::dim);
     panel.swatch(1, 0, 2, {tree.rgba8[0], tree.rgba8[1], tree.rgba8[2], 255});
-    panel.left(1, format("%.4f %.4f %.4f", tree.color.r, tree.color.g, tree.color.b), ink::bright, 3);
-    panel.right(1, format("%d %d %d", tree.rgba8[0], tree.rgba8[1], tree.rgba8[2]), ink::dim);
+    panel.ends(1, "   " + format("%.4f %.4f %.4f", tree.color.r, tree.color.g, tree.color.b), ink::bright,
+               format("%d %d %d", tree.rgba8[0], tree.rgba8[1], tree.rgba8[2]), ink::dim);
 
     const int room = panel.rows() - head_rows;
     if (room <= 0) return;
@@ -103,7 +107,7 @@ void draw_ray_list(const Panel &panel, const RayTree &tree, uint32_t first_ray) 
     const bool has_more = count - first > room;
     const int shown = has_more ? room - 1 : count - first;
     for (int i = 0; i < shown; ++i) draw_row(panel, head_rows + i, tree, tree.rays[static_cast<size_t>(first + i)]);
-    if (has_more) panel.left(panel.rows() - 1, format("%d more", count - first - shown), ink::dim, 3);
+    if (has_more) panel.text(panel.rows() - 1, format("%d more", count - first - shown), ink::dim, 3);
 }
 
 } // namespace glint::viewer

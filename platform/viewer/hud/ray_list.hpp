@@ -13,7 +13,7 @@ namespace glint::viewer {
 [[nodiscard]] int ray_list_rows(const RayTree &tree);
 
 /// Columns that are enough for most lists.
-inline constexpr int ray_list_columns = 50;
+inline constexpr int ray_list_columns = 58;
 
 /// The pixel and its colour, then a row for each ray from `first_ray` on, indented below the one that sent it: the
 /// colour that comes along it, its weight, its length and what it ends at. The last row says how many did not fit.
