@@ -18,6 +18,7 @@ struct Command {
 [[nodiscard]] Command add_render_command(CLI::App &parser);
 [[nodiscard]] Command add_view_command(CLI::App &parser);
 [[nodiscard]] Command add_info_command(CLI::App &parser);
+[[nodiscard]] Command add_inspect_command(CLI::App &parser);
 [[nodiscard]] Command add_convert_command(CLI::App &parser);
 
 // Each adds its subcommand to `glint bench`.

@@ -19,6 +19,7 @@ constexpr const char *examples = R"(Examples:
   glint render scenes/sdl/cornell.sdl -o cornell.png
   glint view scenes/sdl/cornell.sdl
   glint info scenes/sdl/cornell.sdl
+  glint inspect scenes/sdl/cornell.sdl --pixel 120,200
   glint convert scenes/sdl/cornell.sdl
   glint bench table --sizes 128,256 --depths 1,2
 
@@ -49,7 +50,7 @@ ExitCode run(int argc, char **argv) {
     parser.require_subcommand(1);
     parser.footer(examples);
     std::vector<Command> commands = {add_render_command(parser), add_view_command(parser), add_info_command(parser),
-                                     add_convert_command(parser)};
+                                     add_inspect_command(parser), add_convert_command(parser)};
     CLI::App *bench = parser.add_subcommand("bench", "Measure this machine");
     bench->require_subcommand(1);
     for (const auto &add_command : {add_bench_table_command, add_bench_frame_command, add_bench_kernels_command}) {

@@ -21,6 +21,7 @@
 #include "picture_file.hpp"
 #include "progress_bar.hpp"
 #include "render_statistics.hpp"
+#include "sample_options.hpp"
 #include "scene_options.hpp"
 
 namespace glint::cli {
@@ -41,10 +42,7 @@ struct RenderCommandOptions {
     SceneOptions scene;
     std::string output;
     std::optional<Size> size;
-    std::optional<uint32_t> depth;
-    std::optional<uint32_t> samples_per_pixel;
-    std::optional<SamplePattern> pattern;
-    Transfer transfer = Transfer::linear;
+    SampleOptions samples;
     std::optional<uint32_t> threads;
     AccelKind accel = AccelKind::automatic;
     Isa isa = best_isa();
@@ -126,12 +124,7 @@ private:
 
     Result<RenderStatistics> render(Renderer &renderer, Framebuffer &picture, RenderControl &control) const {
         const ProgressBar progress(control);
-        RenderOptions how;
-        how.max_depth = options_.depth;
-        how.samples_per_pixel = options_.samples_per_pixel;
-        how.pattern = options_.pattern;
-        how.transfer = options_.transfer;
-        return renderer.render(picture, how, &control);
+        return renderer.render(picture, options_.samples.render_options(), &control);
     }
 
     const RenderCommandOptions &options_;
@@ -152,19 +145,7 @@ Command add_render_command(CLI::App &parser) {
     render->add_option("-o,--output", options->output, "Image file, in the format of its extension: " + extensions)
         ->type_name("FILE");
     add_size(*render, "--size", options->size, "Picture size (default: the scene's)");
-    add_number(*render, "--depth", options->depth, depth_bounds, "Most recursive rays in a row (default: the scene's)");
-    add_number(*render, "--spp", options->samples_per_pixel, {1, max_samples},
-               "Samples a pixel (default: the scene's)");
-    Choices<SamplePattern> patterns;
-    for (const SamplePattern pattern : {SamplePattern::centre, SamplePattern::stratified, SamplePattern::jittered}) {
-        patterns.emplace_back(sample_pattern_name(pattern), pattern);
-    }
-    add_choice(*render, "--pattern", options->pattern, patterns,
-               "Where in a pixel its samples lie: in the middles of a grid, at random in its cells, or at random "
-               "(default: the scene's)");
-    add_choice(*render, "--transfer", options->transfer, {{"linear", Transfer::linear}, {"srgb", Transfer::srgb}},
-               "How colours become 8 bits: as they are, like the SDL renderers (linear, the default), or "
-               "as displays expect them (srgb)");
+    add_sample_options(*render, options->samples);
     add_number(*render, "--threads", options->threads, thread_bounds, "Threads (default: one a processor)");
     add_choice(*render, "--accel", options->accel,
                {{"automatic", AccelKind::automatic},

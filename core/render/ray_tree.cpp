@@ -55,6 +55,7 @@ public:
         ray.kind = RayKind::shadow;
         ray.parent = current_;
         ray.light = light_of(accel_.scene(), entry);
+        ray.light_name = accel_.scene().lights()[ray.light].name;
         ray.light_share = share;
         const LightShading &light = kernel_scene_.lights[entry];
         // It is traced from the light, but for directional light, and told from the point.
@@ -65,16 +66,9 @@ public:
         ray.distance = is_reversed ? length : infinite;
         ends_at(ray, {true, ray.light});
         if (share < 1.0f) {
-            const PreparedRay prepared(shadow.ray, kernel_scene_.geometry.bounds);
-            Hit nearest{0.0f, no_triangle};
-            for (Hit hit = nearest; next(light, prepared, shadow.t_max, point.left, hit); nearest = hit) {
-                if (is_reversed || nearest.triangle_id == no_triangle) continue;
-                break;
-            }
-            if (nearest.triangle_id != no_triangle) {
-                ray.distance = length * (is_reversed ? 1.0f - nearest.t : nearest.t);
-                ends_at(ray, surface_of(nearest));
-            }
+            const Hit hit = in_the_way(light, shadow, point.left, is_reversed);
+            ray.distance = length * (is_reversed ? 1.0f - hit.t : hit.t);
+            ends_at(ray, surface_of(hit));
         }
         add(ray);
     }
@@ -102,9 +96,17 @@ private:
         uint32_t parent;
     };
 
-    bool next(const LightShading &light, const PreparedRay &ray, float t_max, uint32_t left, Hit &hit) const {
-        hit = next_in_the_way(kernel_scene_, light, ray, hit, t_max, left);
-        return hit.triangle_id != no_triangle;
+    /// What a shadow ray that something is in the way of meets first or, if it is traced from its far end, last.
+    [[nodiscard]] Hit in_the_way(const LightShading &light, const ShadowRay &shadow, uint32_t left,
+                                 bool is_reversed) const {
+        const PreparedRay ray(shadow.ray, kernel_scene_.geometry.bounds);
+        const auto next = [&](const Hit &last) {
+            return next_in_the_way(kernel_scene_, light, ray, last, shadow.t_max, left);
+        };
+        Hit found = next({0.0f, no_triangle});
+        if (!is_reversed) return found;
+        for (Hit hit = found; hit.triangle_id != no_triangle; hit = next(hit)) found = hit;
+        return found;
     }
 
     [[nodiscard]] SurfaceRef surface_of(const Hit &hit) const {

@@ -74,6 +74,7 @@ struct TracedRay {
     Color contribution{0.0f};
 
     uint32_t light = no_light; ///< that a shadow ray was sent to; an index into lights()
+    std::string light_name;    ///< its name
     float light_share = 0.0f;  ///< of its light that comes through, 0 to 1
 };
 

@@ -31,7 +31,7 @@ struct Rgba {
 /// Somebody's pixels, R, G, B, A bytes with straight alpha. Whatever lies outside is not drawn.
 class Canvas {
 public:
-    /// Rows of `stride_bytes` from the top. Sides of at most 32767 pixels; the pixels outlive the canvas.
+    /// Rows of `stride_bytes` from the top. Sides of less than 2^30 pixels; the pixels outlive the canvas.
     Canvas(uint8_t *rgba8, uint32_t width_px, uint32_t height_px, size_t stride_bytes);
 
     [[nodiscard]] Rectangle bounds() const { return {0, 0, width_px_, height_px_}; }
@@ -44,6 +44,8 @@ public:
     void fill(const Rectangle &area, Rgba color) const;
 
 private:
+    [[nodiscard]] uint8_t *row(int y) const;
+
     uint8_t *rgba8_;
     int width_px_, height_px_;
     size_t stride_bytes_;
