@@ -22,6 +22,7 @@ USES = {
     "core/image": ("core/math",),
     "core/kernel": ("core/math", "core/scene", "core/accel", "core/image"),
     "core/render": ("core/math", "core/threads", "core/scene", "core/accel", "core/image", "core/kernel"),
+    "core/view": ("core/math", "core/threads", "core/scene", "core/image"),
     "core/imageio": ("core/image",),
     "platform/gles": (),
     "platform/egl": ("platform/gles",),
