@@ -23,6 +23,13 @@ Result<KernelFrame> kernel_frame(const Scene &scene, const KernelScene &kernel_s
                                                " samples a pixel, expected 1 to " + std::to_string(max_samples));
     }
     frame.samples = sample_grid(samples, options.pattern.value_or(picture.pattern), picture.seed);
+    if (options.only_sample) {
+        if (*options.only_sample >= samples) {
+            return Error(ErrorCode::bad_input, "only sample " + std::to_string(*options.only_sample) + " of " +
+                                                   std::to_string(samples) + ", expected one below that");
+        }
+        frame.samples = one_of(frame.samples, *options.only_sample);
+    }
     frame.tone_scale = picture.tone_scale;
     frame.to_srgb = options.transfer == Transfer::srgb;
     if (kernel_scene.has_refraction) frame.eye_media = media_around(scene, frame.camera.eye);

@@ -84,6 +84,8 @@ private:
     };
 
     [[nodiscard]] glm::dmat3 widened() const;
+    /// How deep a place lies under the cursor, in window depths.
+    [[nodiscard]] double depth_at(glm::dvec2 place, std::optional<double> distance) const;
     void move_to(const State &next);
 
     std::shared_ptr<const Scene> scene_;

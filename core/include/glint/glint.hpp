@@ -2,12 +2,15 @@
 #pragma once
 
 #include <glint/accel.hpp>
+#include <glint/camera_control.hpp>
 #include <glint/framebuffer.hpp>
+#include <glint/governor.hpp>
 #include <glint/isa.hpp>
 #include <glint/quadric.hpp>
 #include <glint/ray_query.hpp>
 #include <glint/ray_tree.hpp>
 #include <glint/read.hpp>
+#include <glint/refiner.hpp>
 #include <glint/renderer.hpp>
 #include <glint/result.hpp>
 #include <glint/scene.hpp>

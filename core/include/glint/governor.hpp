@@ -41,9 +41,10 @@ struct FrameTimes {
 /// beside tracing costs nothing while it is the shorter of the two, and no scale helps while it alone is too long.
 ///
 /// A change of load by more than a quarter is answered within three frames, by one step; a single slow frame never.
-/// Slow changes are answered when an average over half a second leaves a band of some percent around the target. At the
-/// least scale the depth goes down step by step. It comes back first: as soon as a deeper frame is expected to fit at
-/// the least scale with room to spare, from what depth cost when it was given up.
+/// Slow changes are answered when an average over the last fifth of a second leaves a band around the target, of a few
+/// percent and what the noise seen in the times makes uncertain. At the least scale the depth goes down step by step.
+/// It comes back first: as soon as a deeper frame is expected to fit at the least scale with room to spare, from what
+/// depth cost when it was given up.
 ///
 /// Knows no clock and no threads; one thread at a time calls it.
 class GLINT_API Governor {
@@ -67,24 +68,28 @@ public:
 private:
     explicit Governor(const GovernorOptions &options);
 
-    /// One of the times that make up a frame, over the frames since the quality changed.
+    /// A time of the frames since the quality changed. One frame alone never counts: the mean is one of medians.
     struct Average {
-        double recent[3] = {};
-        double mean = 0.0;
+        double last[3] = {};
+        double mean = 0.0; ///< from the third frame on
         void add(double value, uint32_t count, uint32_t window);
         [[nodiscard]] double median() const;
     };
 
+    void watch_noise(double lately_s);
+    [[nodiscard]] double render_allowed_s(double rest_s) const;
+    [[nodiscard]] bool go_deeper();
     void re_aim(double render_s, double rest_s);
-    void set_quality(const FrameQuality &quality);
+    void change_to(const FrameQuality &quality);
 
     GovernorOptions options_;
     FrameQuality quality_;
-    Average render_, rest_;
+    uint32_t window_;     ///< frames that a mean is over
     uint32_t frames_ = 0; ///< of this quality
-    /// What the frames cost at the depth above over what they cost now, where it was seen; the depth it is about.
-    double depth_cost_ratio_ = 0.0;
-    double given_up_render_s_ = 0.0; ///< by a frame of the depth above at the least scale; 0 = not known
+    Average render_, rest_;
+    double noise_ = 0.05;            ///< standard deviation of a frame's time, as a share of it
+    double deeper_costs_;            ///< tracing one ray deeper over tracing as it is now
+    double given_up_render_s_ = 0.0; ///< what it took before the depth went down, until deeper_costs_ is known
 };
 
 struct PictureSize {

@@ -34,6 +34,9 @@ struct RenderOptions {
     std::optional<uint32_t> samples_per_pixel = std::nullopt;
     std::optional<SamplePattern> pattern = std::nullopt;
     Transfer transfer = Transfer::linear;
+    /// Only this one of the samples, below samples_per_pixel, row by row from the pixel's upper left; the picture is
+    /// then its colour. Unset = all of them, averaged.
+    std::optional<uint32_t> only_sample = std::nullopt;
 };
 
 /// Shared by a render in progress and whoever watches it, from any thread. Progress may be read and cancel() called at
@@ -74,7 +77,7 @@ public:
     Renderer &operator=(const Renderer &) = delete;
 
     /// Fills the framebuffer, of any size. Fails with `cancelled` when the control says so: then the framebuffer holds
-    /// whole tiles, the rest untouched; fails with `bad_input` when the options' camera or depth is not valid.
+    /// whole tiles, the rest untouched; fails with `bad_input` when the options' camera or samples are not valid.
     [[nodiscard]] Result<RenderStatistics> render(Framebuffer &target, const RenderOptions &options = {},
                                                   RenderControl *control = nullptr);
 
