@@ -57,7 +57,6 @@ void FramePipeline::live() {
         bool is_next_pass = false;
         {
             std::unique_lock lock(mutex_);
-            is_tracing_ = false;
             // Of a picture that gets better, every pass is shown.
             for_tracer_.wait(lock, [&] { return waiting_ || (refines_ && !has_finished_) || stops_; });
             if (stops_) return;
@@ -84,6 +83,7 @@ void FramePipeline::live() {
 
         {
             const std::lock_guard lock(mutex_);
+            is_tracing_ = false;
             if (traced) {
                 traced_->finished = Clock::now();
                 if (traced_->is_final) refines_ = false;

@@ -78,7 +78,7 @@ Overlay::Pixels Overlay::draw(HudContent content, uint32_t width_px, uint32_t he
     const size_t stride_bytes = size_t{width_px} * 4;
     canvas_.resize(stride_bytes * height_px);
     content.figures = figures_of(frames_, std::move(content.figures));
-    content.frame_times_ms = times_ms_;
+    if (content.shows_figures) content.frame_times_ms = times_ms_;
     content.message = message_;
     const Rectangle drawn = draw_hud(Canvas(canvas_.data(), width_px, height_px, stride_bytes), content, scale);
     const uint64_t version = pixels_.version + 1;

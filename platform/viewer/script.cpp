@@ -210,10 +210,10 @@ Result<Script> Script::read(const std::filesystem::path &file) {
         return Error(ErrorCode::not_found, file.string() + ": there is no such file");
     }
     std::ifstream in(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (!in || std::filesystem::is_directory(file, error)) {
-        return Error(ErrorCode::io, file.string() + " cannot be read");
-    }
+    std::string text;
+    const bool is_folder = std::filesystem::is_directory(file, error);
+    if (!is_folder && in) text.assign(std::istreambuf_iterator<char>(in), {});
+    if (is_folder || !in) return Error(ErrorCode::io, file.string() + " cannot be read");
     return parse(text, file.string());
 }
 

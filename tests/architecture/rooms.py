@@ -28,11 +28,12 @@ USES = {
     "platform/egl": ("platform/gles",),
     "platform/osmesa": ("platform/gles",),
     "platform/viewer/hud": (),
+    "platform/viewer": ("platform/gles", "platform/viewer/hud"),
     # Peers wait for work in the same pool of threads as Glint does, so that waking up costs all the same.
     "bench/peers": (),
     "bench/peers/embree": ("bench/peers", "core/threads"),
     "bench": ("bench/peers", "bench/peers/embree", "core/threads"),
-    "apps/glint": ("bench",),
+    "apps/glint": ("bench", "platform/viewer"),
     "scenes/generate": (),
 }
 
@@ -50,6 +51,7 @@ LIBRARIES = {
     "EGL/": ("platform/egl",),
     "GLES2/": ("platform/gles",),
     "GLES3/": ("platform/gles",),
+    "SDL2/": ("platform/viewer",),
     "CLI/": ("apps",),
     "fmt/": ("apps", "bench"),
     "nlohmann/": ("apps", "bench"),

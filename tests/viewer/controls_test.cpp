@@ -48,7 +48,13 @@ protected:
     }();
     CameraControl camera_{scene_, 200, 100};
     std::optional<double> distance_ = 5.0;
-    Controls controls_{camera_, {.depth = 2, .threads = 4}, [this](double, double) { return distance_; }, 200, 100};
+    static ViewChoices chosen() {
+        ViewChoices choices;
+        choices.depth = 2;
+        choices.threads = 4;
+        return choices;
+    }
+    Controls controls_{camera_, chosen(), [this](double, double) { return distance_; }, 200, 100};
     Camera first_ = camera_.camera();
 };
 

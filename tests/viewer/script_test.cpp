@@ -55,7 +55,8 @@ TEST(Script, has_every_event) {
 }
 
 TEST(Script, draws_a_drag_out_evenly) {
-    const auto &events = parsed("1 drag right 10 20 110 70 2").events();
+    const Script script = parsed("1 drag right 10 20 110 70 2");
+    const auto &events = script.events();
     ASSERT_EQ(events.size(), 252u); // 125 moves a second
     EXPECT_EQ(events.front().event.kind, Kind::button_down);
     EXPECT_EQ(events.front().event.x, 10.0);

@@ -74,7 +74,10 @@ protected:
     void expect_shown(const Framebuffer &picture) {
         const size_t bytes = picture.rgba8_stride_bytes() * picture.height_px();
         ASSERT_EQ(window_->shown.size(), bytes);
-        EXPECT_TRUE(std::equal(window_->shown.begin(), window_->shown.end(), picture.rgba8()));
+        const auto at = std::mismatch(window_->shown.begin(), window_->shown.end(), picture.rgba8()).first;
+        const auto byte = static_cast<size_t>(at - window_->shown.begin());
+        EXPECT_EQ(byte, bytes) << "first another byte at pixel " << byte / 4 % picture.width_px() << ", "
+                               << byte / 4 / picture.width_px();
     }
     Framebuffer rendered(uint32_t width_px, uint32_t height_px, uint32_t samples) {
         auto picture = Framebuffer::create(width_px, height_px);
@@ -122,9 +125,10 @@ TEST_F(ViewerTest, takes_every_size_while_it_runs) {
 }
 
 TEST_F(ViewerTest, comes_back_with_r_whatever_was_done_before) {
-    script("0 drag left 10 10 80 40 0.1\n0.05 wheel 3 20 20\n0.1 key w down\n0.2 key w up\n0.2 drag right 5 5 60 60 0.05\n"
-           "0.3 key f\n0.3 key h\n0.35 key h\n0.4 press left 40 30\n0.4 release left 40 30\n"
-           "0.5 press left 40 30\n0.5 release left 40 30\n0.6 key r\n");
+    script(
+        "0 drag left 10 10 80 40 0.1\n0.05 wheel 3 20 20\n0.1 key w down\n0.2 key w up\n0.2 drag right 5 5 60 60 0.05\n"
+        "0.3 key f\n0.3 key h\n0.35 key h\n0.4 press left 40 30\n0.4 release left 40 30\n"
+        "0.5 press left 40 30\n0.5 release left 40 30\n0.6 key r\n");
     options_.ends_at_rest = true;
     const FrameLog log = run();
     EXPECT_GT(log.count(), 17u);
