@@ -31,6 +31,8 @@ struct FrameRequest {
     Isa isa = best_isa();
     /// Whether the frame is the first of many of one picture that gets better from pass to pass.
     bool refines = false;
+    /// Whether it shows the next moment of the motion that the frame before showed.
+    bool follows = false;
     /// When the event happened that this frame is the first to show.
     std::optional<Clock::time_point> input_time;
 };

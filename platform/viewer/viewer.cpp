@@ -31,6 +31,8 @@ constexpr double usual_fps = 60.0;
 constexpr double rest_s = 0.15;
 /// While a frame is traced, events are looked for so often; an input that nobody expected stops a refinement so fast.
 constexpr auto poll_interval = std::chrono::milliseconds(2);
+/// Input comes this often while something moves: a frame that is asked for so soon follows the one before.
+constexpr double most_gap_s = 0.012;
 /// While nothing happens at all.
 constexpr double idle_wait_s = 0.05;
 
@@ -153,17 +155,14 @@ private:
         return Done{};
     }
 
-    [[nodiscard]] bool is_idle() const {
-        return !needs_frame_ && !needs_show_ && !is_tracing_ && !is_refining_ && !controls_.is_moving() && !records();
-    }
-
-    /// How long there is nothing to do.
+    /// How long there is nothing to do but wait for input.
     [[nodiscard]] double wait_s() const {
-        double wait = 0.0;
-        if (is_idle()) {
-            wait = is_final_ || controls_.choices().is_paused ? idle_wait_s : 0.5 * rest_s;
-        } else if (needs_frame_ && !is_tracing_) {
+        if (needs_show_ || is_tracing_ || is_refining_ || records()) return 0.0;
+        double wait = idle_wait_s;
+        if (needs_frame_) {
             wait = seconds_between(Clock::now(), next_due_);
+        } else if (!is_final_ && !controls_.choices().is_paused) {
+            wait = std::min(wait, rest_s - seconds_between(changed_, Clock::now()));
         }
         if (options_.script && options_.script->next_seconds()) {
             wait = std::min(wait, *options_.script->next_seconds() - now_s());
@@ -181,9 +180,13 @@ private:
         const uint64_t moves = controls_.moves();
         const ViewChoices chosen = controls_.choices();
         const Clock::time_point now = Clock::now();
+        // The keys that were held until now.
+        const double time_s = now_s();
+        controls_.advance(std::min(time_s - std::exchange(advanced_s_, time_s), 0.25));
         std::optional<Clock::time_point> input_time;
+        if (controls_.moves() != moves) input_time = now;
         for (const InputEvent &event : events_) handle(event);
-        if (!events_.empty()) input_time = now;
+        if (!events_.empty() && !input_time) input_time = now;
         if (options_.script) {
             scripted_.clear();
             options_.script->take_until(now_s(), scripted_);
@@ -199,18 +202,14 @@ private:
                 if (!input_time) input_time = std::min(now, after(began_, timed.seconds));
             }
         }
-        const double time_s = now_s();
-        const uint64_t moves_by_events = controls_.moves();
-        controls_.advance(std::min(time_s - std::exchange(advanced_s_, time_s), 0.25));
 
         const ViewChoices &choices = controls_.choices();
         if (choices.depth != chosen.depth) governor_.set_greatest_depth(choices.depth);
-        const bool is_flying = controls_.moves() != moves_by_events;
         if (controls_.moves() != moves || choices.depth != chosen.depth || choices.threads != chosen.threads) {
             needs_frame_ = true;
             is_final_ = false;
             changed_ = now;
-            if (!input_time_) input_time_ = is_flying && !input_time ? now : input_time;
+            if (!input_time_) input_time_ = input_time;
         }
         if (choices.is_paused && !chosen.is_paused) {
             pipeline_.stop_refining();
@@ -238,20 +237,23 @@ private:
         const Clock::time_point now = Clock::now();
         if (needs_frame_ || records()) {
             if (!records() && now < next_due_) return;
+            const bool follows = seconds_between(std::max(next_due_, shown_), now) < most_gap_s;
             next_due_ = std::max(after(next_due_, interval_s_), now);
             const FrameQuality quality = records() ? FrameQuality{1.0f, choices.depth} : governor_.quality();
-            submit(quality, false);
+            submit(quality, false, follows && is_in_motion_);
+            is_in_motion_ = true;
             needs_frame_ = false;
             is_tracing_ = true;
             is_refining_ = false;
         } else if (!is_refining_ && !is_final_ && !choices.is_paused && !controls_.is_moving() &&
                    seconds_between(changed_, now) >= rest_s) {
-            submit({1.0f, choices.depth}, true);
+            submit({1.0f, choices.depth}, true, false);
             is_refining_ = true;
+            is_in_motion_ = false;
         }
     }
 
-    void submit(const FrameQuality &quality, bool refines) {
+    void submit(const FrameQuality &quality, bool refines, bool follows) {
         const PictureSize size = scaled_size(window_.width_px(), window_.height_px(), quality.scale);
         FrameRequest request;
         request.accel = options_.accel;
@@ -262,6 +264,7 @@ private:
         request.threads = controls_.choices().threads;
         request.isa = options_.isa;
         request.refines = refines;
+        request.follows = follows;
         request.input_time = std::exchange(input_time_, std::nullopt);
         pipeline_.submit(std::move(request));
     }
@@ -288,7 +291,7 @@ private:
 
         ShownFrame shown;
         shown.shown_s = records() ? now_s() : seconds_between(began_, now);
-        shown.interval_s = follows_ && !request.refines ? seconds_between(shown_, now) : 0.0;
+        shown.interval_s = request.follows ? seconds_between(shown_, now) : 0.0;
         shown.render_s = frame_->statistics.seconds;
         shown.upload_s = times->upload_s;
         shown.gl_s = times->draw_s + swap_s - swap_wait_s;
@@ -303,14 +306,19 @@ private:
         shown.refines = request.refines;
         log_.add(shown);
         overlay_.add(shown);
-        if (!request.refines && !records()) {
-            const FrameTimes took{shown.render_s, shown.upload_s + shown.gl_s, shown.interval_s, shown.wait_s};
-            if (shown.interval_s > 0.0) governor_.measured(request.quality, took);
-        }
-        // The next frame follows at once only where it is being traced already, or waited for on purpose.
-        follows_ = !request.refines && (is_tracing_ || needs_frame_);
+        tell_governor(shown, request.quality);
         shown_ = now;
         return Done{};
+    }
+
+    void tell_governor(const ShownFrame &shown, const FrameQuality &quality) {
+        if (records()) return;
+        if (shown.refines) {
+            // A pass at rest costs what a frame in motion would: so the first one of those is in time already.
+            governor_.measured(quality, {shown.render_s, 0.0, shown.render_s, 0.0});
+        } else if (shown.interval_s > 0.0) {
+            governor_.measured(quality, {shown.render_s, shown.upload_s + shown.gl_s, shown.interval_s, shown.wait_s});
+        }
     }
 
     Status show_again() {
@@ -439,7 +447,7 @@ private:
     double advanced_s_ = 0.0, waited_s_ = 0.0;
     std::optional<Clock::time_point> input_time_; // of the first event that no frame shows yet
     bool needs_frame_ = true, needs_show_ = false, is_tracing_ = false, is_refining_ = false, is_final_ = false;
-    bool follows_ = false; // whether the next frame follows the last one at once
+    bool is_in_motion_ = false; // whether the last frame asked for was one in motion
     const Frame *frame_ = nullptr;
     std::optional<PixelPlace> inspected_;
     std::optional<RayTree> ray_tree_;
