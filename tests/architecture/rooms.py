@@ -32,7 +32,8 @@ USES = {
     # Peers wait for work in the same pool of threads as Glint does, so that waking up costs all the same.
     "bench/peers": (),
     "bench/peers/embree": ("bench/peers", "core/threads"),
-    "bench": ("bench/peers", "bench/peers/embree", "core/threads"),
+    "bench/peers/tinyobj": ("bench/peers",),
+    "bench": ("bench/peers", "bench/peers/embree", "bench/peers/tinyobj", "core/threads"),
     "apps/glint": ("bench", "platform/viewer"),
     "scenes/generate": (),
 }
@@ -43,7 +44,7 @@ INCLUDE_ROOTS = ("core", "platform", "scenes", "")
 # Beginning of a header's name -> the rooms that may include it, each with all that lies inside it.
 LIBRARIES = {
     "glm/": ("core", "scenes"),
-    "tiny_obj_loader.h": ("core/mesh",),
+    "tiny_obj_loader.h": ("core/mesh", "bench/peers/tinyobj"),
     "xxhash.h": ("core/image",),
     "fast_float/": ("core/text",),
     "hwy/": ("core/kernel",),
