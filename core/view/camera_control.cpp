@@ -176,6 +176,7 @@ void CameraControl::fly(glm::dvec3 velocity, double seconds) {
 
 void CameraControl::reset() {
     state_ = first_;
+    if (camera_problem(camera())) widening_ = 1.0;
 }
 
 void CameraControl::frame() {
@@ -213,7 +214,9 @@ void CameraControl::resize(uint32_t width_px, uint32_t height_px) {
     // Products of whole numbers: a window of the first shape is not widened at all.
     const uint64_t shape = uint64_t{std::max(width_px, 1u)} * height_px_;
     const uint64_t first_shape = uint64_t{std::max(height_px, 1u)} * width_px_;
+    const double before = widening_;
     widening_ = static_cast<double>(shape) / static_cast<double>(first_shape);
+    if (camera_problem(camera())) widening_ = before;
 }
 
 std::optional<glm::dvec2> CameraControl::place_of(const glm::dvec3 &point) const {
