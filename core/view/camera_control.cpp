@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -40,6 +41,11 @@ bool is_finite(const glm::dvec2 &v) {
 
 double largest(const glm::dvec3 &v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// In floats; what is beyond max_coordinate stays beyond it.
+glm::vec3 narrowed(const glm::dvec3 &v) {
+    return glm::vec3(glm::clamp(v, -2.0 * double{max_coordinate}, 2.0 * double{max_coordinate}));
 }
 
 /// `v`, turned around a unit axis (Rodrigues 1840).
@@ -105,8 +111,8 @@ Camera CameraControl::camera() const {
     const glm::dmat3 window = widened();
     const double depth = largest(window * glm::dvec3(1.0, 0.5, 0.5));
     const double enlarging = std::max(1.0, least_window_depth * largest(state_.eye) / depth);
-    return {Point(state_.eye), Point(state_.eye + window[0] * enlarging), Vector(window[1] * enlarging),
-            Vector(window[2] * enlarging)};
+    return {narrowed(state_.eye), narrowed(state_.eye + window[0] * enlarging), narrowed(window[1] * enlarging),
+            narrowed(window[2] * enlarging)};
 }
 
 void CameraControl::move_to(const State &next) {
@@ -176,6 +182,7 @@ void CameraControl::fly(glm::dvec3 velocity, double seconds) {
 
 void CameraControl::reset() {
     state_ = first_;
+    if (camera_problem(camera())) widening_ = 1.0;
 }
 
 void CameraControl::frame() {
@@ -213,7 +220,9 @@ void CameraControl::resize(uint32_t width_px, uint32_t height_px) {
     // Products of whole numbers: a window of the first shape is not widened at all.
     const uint64_t shape = uint64_t{std::max(width_px, 1u)} * height_px_;
     const uint64_t first_shape = uint64_t{std::max(height_px, 1u)} * width_px_;
+    const double before = widening_;
     widening_ = static_cast<double>(shape) / static_cast<double>(first_shape);
+    if (camera_problem(camera())) widening_ = before;
 }
 
 std::optional<glm::dvec2> CameraControl::place_of(const glm::dvec3 &point) const {

@@ -59,7 +59,8 @@ public:
     void frame();
     static constexpr double frame_margin = 0.05;
 
-    /// The window has another shape: what is seen from top to bottom stays, on the sides there is more or less.
+    /// The window has another shape: what is seen from top to bottom stays, on the sides there is more or less. A shape
+    /// so long that the camera's window would reach beyond max_coordinate changes nothing.
     void resize(uint32_t width_px, uint32_t height_px);
 
     /// Where a point is seen: as a fraction of the window, which it may lie outside of; nothing for a point that is not

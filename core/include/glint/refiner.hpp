@@ -20,10 +20,13 @@ namespace glint {
 ///         show(picture);
 ///     }
 ///
-/// The first pass is the ordinary picture, of one sample in each pixel's centre: the bytes of Renderer::render(). Each
-/// pass after it renders one of the 16 samples of the grid that `samples_per_pixel = 16, pattern = centre` has, and
-/// shows the average of those there are, in linear light.
-/// One thread at a time calls it; the control may be cancelled from any.
+/// The first pass is the picture of one sample in each pixel's centre, the bytes that Renderer::render() gives with
+/// `samples_per_pixel = 1, pattern = centre`. Each of the 16 passes after it renders one of the samples of the grid
+/// that `samples_per_pixel = 16, pattern = centre` has and shows the average of those there are, in linear light. That
+/// grid has no sample in the centre, so the first picture is in none of the averages; the grid's samples nearest to the
+/// centre come first, and opposite ones by pairs, so that the picture neither jumps nor drifts. The last picture is
+/// that of Renderer::render() with these 16 samples, but that floats are added up in another order: a few bytes in a
+/// million are one off. One thread at a time calls it; the control may be cancelled from any.
 class GLINT_API Refiner {
 public:
     static constexpr uint32_t samples = 16; ///< of the last picture, a pixel
