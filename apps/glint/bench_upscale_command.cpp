@@ -56,7 +56,7 @@ ExitCode run(BenchUpscaleOptions &options) {
     if (!opened) return fail(opened.error());
     for (const std::string &note : opened->notes) complain(note);
     if (!opened->surface) {
-        complain("there is no surface to enlarge pictures on");
+        complain("there is no surface to enlarge pictures on; 'glint surfaces' says why");
         return ExitCode::failure;
     }
     if (someone_watches()) {

@@ -29,7 +29,9 @@ USES = {
     # Peers wait for work in the same pool of threads as Glint does, so that waking up costs all the same.
     "bench/peers": (),
     "bench/peers/embree": ("bench/peers", "core/threads"),
-    "bench": ("bench/peers", "bench/peers/embree", "core/threads"),
+    # What the presenter could do instead is measured with its own tools.
+    "bench/presenting": ("platform/gles",),
+    "bench": ("bench/peers", "bench/peers/embree", "bench/presenting", "core/threads"),
     "apps/glint": ("bench",),
     "scenes/generate": (),
 }
