@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -162,6 +164,32 @@ TEST_P(PresenterOptions, a_second_presenter_draws_over_the_first) {
             ASSERT_NEAR(shown[4 * (64 * y + x) + 2], covered ? 128 : 0, 1.01) << x << ", " << y;
         }
     }
+}
+
+PFNGLSHADERSOURCEPROC real_shader_source = nullptr;
+void shader_source_without_highp(GLuint shader, GLsizei, const GLchar *const *texts, const GLint *) {
+    std::string text = texts[0];
+    const std::string_view name = "GL_FRAGMENT_PRECISION_HIGH";
+    for (size_t at = text.find(name); at != std::string::npos; at = text.find(name))
+        text.replace(at, name.size(), "NO");
+    const GLchar *changed = text.c_str();
+    real_shader_source(shader, 1, &changed, nullptr);
+}
+
+TEST_P(PresenterOptions, graphics_processors_without_highp_get_along) {
+    const gles::ProcLoader load = surface_->proc_loader();
+    real_shader_source = reinterpret_cast<PFNGLSHADERSOURCEPROC>(load("glShaderSource"));
+    auto poor =
+        gles::Presenter::create(with_substitutes(load, {{"glShaderSource", as_proc(shader_source_without_highp)}}));
+    ASSERT_TRUE(poor) << poor.error().text();
+    const Framebuffer picture = random_picture(64, 48, 1);
+    EXPECT_TRUE(shows(*surface_, **poor, picture));
+    const Framebuffer small = random_picture(16, 12, 2);
+    const std::vector<uint8_t> squares = drawn(small, {.filter = gles::Filter::nearest});
+    ASSERT_TRUE((*poor)->upload(small));
+    const Status status = (*poor)->draw(0, 0, 64, 48, {.filter = gles::Filter::sharp});
+    ASSERT_TRUE(status) << status.error().text();
+    EXPECT_EQ(surface_->read_back().value(), squares);
 }
 
 /// 64 x 48 pixels of a larger picture, at an address of no particular alignment.
