@@ -32,6 +32,10 @@ GLenum get_error() {
     return std::exchange(pending_error, static_cast<GLenum>(GL_NO_ERROR));
 }
 
+const GLubyte *say_nothing(GLenum) {
+    return nullptr;
+}
+
 /// A window's stand-in: gives the presenter a context, and can lose it.
 struct Window {
     const SurfaceKind &kind;
@@ -40,6 +44,7 @@ struct Window {
     std::unique_ptr<gles::Surface> surface = nullptr;
     int contexts_made = 0;
     bool broken = false; ///< there is no context to be had
+    bool mute = false;   ///< the first context answers nothing
 
     Result<gles::ProcLoader> context(bool lost) {
         if (broken) return Error(ErrorCode::unsupported, "the test has no context");
@@ -52,8 +57,10 @@ struct Window {
             if (!made) return std::move(made).error();
             surface = std::move(made).value();
             ++contexts_made;
+            if (contexts_made > 1) mute = false;
         }
         if (Status status = surface->make_current(); !status) return std::move(status).error();
+        if (mute) return with_substitutes(surface->proc_loader(), {{"glGetString", as_proc(say_nothing)}});
         real_get_error = reinterpret_cast<PFNGLGETERRORPROC>(surface->proc_loader()("glGetError"));
         return with_substitutes(surface->proc_loader(), {{"glGetGraphicsResetStatus", as_proc(reset_status)},
                                                          {"glGetGraphicsResetStatusKHR", as_proc(reset_status)},
@@ -173,6 +180,15 @@ TEST_P(ReliablePresenterTest, reports_why_there_is_no_new_context_and_recovers_w
     window_->broken = false;
     EXPECT_TRUE(shows_picture(picture));
     EXPECT_EQ(presenter_->losses(), 1u);
+}
+
+TEST_P(ReliablePresenterTest, asks_for_another_context_where_the_first_is_of_no_use) {
+    window_->mute = true;
+    const Framebuffer picture = random_picture(64, 48, 1);
+    const gles::Layer all = layer(picture);
+    EXPECT_FALSE(presenter_->show({&all, 1}));
+    EXPECT_TRUE(shows_picture(picture));
+    EXPECT_EQ(window_->contexts_made, 2);
 }
 
 TEST_P(ReliablePresenterTest, takes_faults_of_the_caller_for_no_loss) {
