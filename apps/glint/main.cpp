@@ -49,12 +49,13 @@ ExitCode run(int argc, char **argv) {
     parser.set_version_flag("--version", version_text, "Print the versions of glint and what it is built on");
     parser.require_subcommand(1);
     parser.footer(examples);
-    std::vector<Command> commands = {add_render_command(parser), add_view_command(parser), add_info_command(parser),
-                                     add_inspect_command(parser), add_convert_command(parser)};
+    std::vector<Command> commands = {add_render_command(parser),  add_view_command(parser),
+                                     add_info_command(parser),    add_inspect_command(parser),
+                                     add_convert_command(parser), add_surfaces_command(parser)};
     CLI::App *bench = parser.add_subcommand("bench", "Measure this machine");
     bench->require_subcommand(1);
-    for (const auto &add_command :
-         {add_bench_table_command, add_bench_frame_command, add_bench_kernels_command, add_bench_read_command}) {
+    for (const auto &add_command : {add_bench_table_command, add_bench_frame_command, add_bench_kernels_command,
+                                    add_bench_read_command, add_bench_present_command, add_bench_upscale_command}) {
         commands.push_back(add_command(*bench));
     }
     try {

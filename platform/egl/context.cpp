@@ -3,28 +3,25 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "egl/display.hpp"
 
 namespace glint::egl {
 
 namespace {
 
-/// An initialised display. Without DISPLAY or WAYLAND_DISPLAY the default one fails, so platforms that need neither go
-/// first: Mesa's surfaceless one, then (other vendors) the first device.
-std::optional<EGLDisplay> open_display(const Egl &egl) {
-    std::vector<EGLDisplay> candidates;
-    const auto add_platform = [&](EGLenum platform, const char *extension) {
-        if (egl.get_platform_display == nullptr || !egl.has_client_extension(extension)) return;
-        candidates.push_back(egl.get_platform_display(platform, EGL_DEFAULT_DISPLAY, nullptr));
-    };
-    add_platform(EGL_PLATFORM_SURFACELESS_MESA, "EGL_MESA_platform_surfaceless");
-    add_platform(EGL_PLATFORM_DEVICE_EXT, "EGL_EXT_platform_device");
-    candidates.push_back(egl.get_display(EGL_DEFAULT_DISPLAY));
-    for (EGLDisplay display : candidates) {
-        if (display != EGL_NO_DISPLAY && egl.initialize(display, nullptr, nullptr) == EGL_TRUE) return display;
+/// Without DISPLAY or WAYLAND_DISPLAY the default display fails, so those that need neither go first.
+Result<EGLDisplay> open_off_screen_display(const Egl &egl) {
+    std::string attempts;
+    for (const DisplayRoute &route : off_screen_routes(egl)) {
+        Result<EGLDisplay> display = open_display(egl, route);
+        if (display) return display;
+        attempts += (attempts.empty() ? "" : "; ") + route.name + ": " + display.error().diagnostics.front().message;
     }
-    return std::nullopt;
+    return Error(ErrorCode::unsupported, "no EGL display (" + attempts + ")", Egl::default_names().install_hint);
 }
 
 EGLint attribute(const Egl &egl, EGLDisplay display, EGLConfig config, EGLint name) {
@@ -76,26 +73,42 @@ std::optional<EGLConfig> choose_config(const Egl &egl, EGLDisplay display, EGLin
 } // namespace
 
 Result<Context> Context::create(const Egl &egl) {
-    const std::optional<EGLDisplay> display = open_display(egl);
-    if (!display) {
-        Error error = egl.error("eglInitialize");
+    const Result<EGLDisplay> display = open_off_screen_display(egl);
+    if (!display) return display.error();
+    Result<Context> context = create_on(egl, *display, 3);
+    if (!context) context = create_on(egl, *display, 2);
+    return context;
+}
+
+Result<Context> Context::create_on(const Egl &egl, EGLDisplay display, int gles_version) {
+    if (egl.bind_api(EGL_OPENGL_ES_API) != EGL_TRUE) return egl.error("eglBindAPI");
+    const EGLint renderable_bit = gles_version >= 3 ? EGL_OPENGL_ES3_BIT_KHR : EGL_OPENGL_ES2_BIT;
+    const std::optional<EGLConfig> config = choose_config(egl, display, renderable_bit);
+    if (!config) {
+        Error error = egl.error("eglChooseConfig");
+        error.diagnostics.front().message +=
+            ": pbuffers, 8 bits a channel, for OpenGL ES " + std::to_string(gles_version);
+        return error;
+    }
+    // With a notification: a context that is lost with the graphics processor shall say so.
+    const std::array<EGLint, 5> attributes = {EGL_CONTEXT_CLIENT_VERSION, gles_version,
+                                              EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
+                                              EGL_LOSE_CONTEXT_ON_RESET_EXT, EGL_NONE};
+    const std::array<EGLint, 3> plain_attributes = {EGL_CONTEXT_CLIENT_VERSION, gles_version, EGL_NONE};
+    EGLContext context = EGL_NO_CONTEXT;
+    if (egl.has_display_extension(display, "EGL_EXT_create_context_robustness")) {
+        context = egl.create_context(display, *config, EGL_NO_CONTEXT, attributes.data());
+        if (context == EGL_NO_CONTEXT) egl.get_error(); // drivers that promise it may still refuse
+    }
+    if (context == EGL_NO_CONTEXT) {
+        context = egl.create_context(display, *config, EGL_NO_CONTEXT, plain_attributes.data());
+    }
+    if (context == EGL_NO_CONTEXT) {
+        Error error = egl.error("eglCreateContext");
         error.diagnostics.front().hint = Egl::default_names().install_hint;
         return error;
     }
-    if (egl.bind_api(EGL_OPENGL_ES_API) != EGL_TRUE) return egl.error("eglBindAPI");
-    struct Version {
-        EGLint major, renderable_bit;
-    };
-    for (const Version version : {Version{3, EGL_OPENGL_ES3_BIT_KHR}, Version{2, EGL_OPENGL_ES2_BIT}}) {
-        const std::optional<EGLConfig> config = choose_config(egl, *display, version.renderable_bit);
-        if (!config) continue;
-        const std::array<EGLint, 3> attributes = {EGL_CONTEXT_CLIENT_VERSION, version.major, EGL_NONE};
-        const EGLContext context = egl.create_context(*display, *config, EGL_NO_CONTEXT, attributes.data());
-        if (context != EGL_NO_CONTEXT) return Context(egl, *display, *config, context);
-    }
-    Error error = egl.error("eglCreateContext");
-    error.diagnostics.front().hint = Egl::default_names().install_hint;
-    return error;
+    return Context(egl, display, *config, context);
 }
 
 Context::Context(Context &&other) noexcept
@@ -103,6 +116,14 @@ Context::Context(Context &&other) noexcept
       display_(other.display_),
       config_(other.config_),
       context_(std::exchange(other.context_, EGL_NO_CONTEXT)) {}
+
+Context &Context::operator=(Context &&other) noexcept {
+    std::swap(egl_, other.egl_);
+    std::swap(display_, other.display_);
+    std::swap(config_, other.config_);
+    std::swap(context_, other.context_);
+    return *this;
+}
 
 Context::~Context() {
     if (context_ == EGL_NO_CONTEXT) return;

@@ -14,9 +14,11 @@ class Context {
 public:
     /// Prefers displays that need no display server, and OpenGL ES 3 over 2. Not current yet. Fails with `unsupported`.
     [[nodiscard]] static Result<Context> create(const Egl &egl);
+    /// The same on a given display, which is initialised; `gles_version` is 2 or 3, and newer contexts may come.
+    [[nodiscard]] static Result<Context> create_on(const Egl &egl, EGLDisplay display, int gles_version);
     ~Context();
     Context(Context &&other) noexcept;
-    Context &operator=(Context &&) = delete;
+    Context &operator=(Context &&other) noexcept; ///< they trade places
 
     /// Without a surface the context is current with nothing to draw on, where the display allows that.
     Status make_current(EGLSurface surface = EGL_NO_SURFACE) const;

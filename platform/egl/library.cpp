@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <type_traits>
 
 #include "gles/extension_list.hpp"
 
@@ -36,9 +37,18 @@ Result<Egl> Egl::load(const gles::LibraryNames &names) {
     find(egl.make_current, "eglMakeCurrent");
     find(egl.query_string, "eglQueryString");
     if (!status) return std::move(status).error();
+    const auto find_extension = [&](auto &function, const char *name) {
+        function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(egl.get_proc_address(name));
+    };
     if (egl.has_client_extension("EGL_EXT_platform_base")) {
-        egl.get_platform_display =
-            reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl.get_proc_address("eglGetPlatformDisplayEXT"));
+        find_extension(egl.get_platform_display, "eglGetPlatformDisplayEXT");
+    }
+    const bool has_devices = egl.has_client_extension("EGL_EXT_device_base");
+    if (has_devices || egl.has_client_extension("EGL_EXT_device_enumeration")) {
+        find_extension(egl.query_devices, "eglQueryDevicesEXT");
+    }
+    if (has_devices || egl.has_client_extension("EGL_EXT_device_query")) {
+        find_extension(egl.query_device_string, "eglQueryDeviceStringEXT");
     }
     return egl;
 }
@@ -58,6 +68,8 @@ bool Egl::has_display_extension(EGLDisplay display, const char *name) const {
 Error Egl::error(const char *call) const {
     const EGLint code = get_error();
     const bool no_room = code == EGL_BAD_ALLOC;
+    // eglGetDisplay and eglChooseConfig report this way that they found nothing.
+    if (code == EGL_SUCCESS) return Error(ErrorCode::unsupported, std::string(call) + " found none");
     return Error(no_room ? ErrorCode::limit_exceeded : ErrorCode::unsupported,
                  std::string(call) + " failed with " + error_name(code));
 }

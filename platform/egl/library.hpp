@@ -16,7 +16,7 @@
 
 namespace glint::egl {
 
-/// The functions of EGL 1.4 that this room calls, and one of an extension. Plain data; usable while the process runs.
+/// The functions of EGL 1.4 that this room calls, and some of extensions. Plain data; usable while the process runs.
 struct Egl {
     /// Fails with `unsupported`, naming what to install, when there is no such library or it is not libEGL.
     [[nodiscard]] static Result<Egl> load(const gles::LibraryNames &names = default_names());
@@ -43,7 +43,11 @@ struct Egl {
     PFNEGLINITIALIZEPROC initialize = nullptr;
     PFNEGLMAKECURRENTPROC make_current = nullptr;
     PFNEGLQUERYSTRINGPROC query_string = nullptr;
-    PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = nullptr; ///< nullptr where EGL knows no platforms
+
+    // nullptr where EGL has none.
+    PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = nullptr;
+    PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
+    PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string = nullptr;
 };
 
 /// "EGL_BAD_ALLOC" and the like; other codes in hexadecimal.

@@ -64,6 +64,7 @@ Status ReliablePresenter::Impl::make_current() {
     lost = false;
     if (gl) return Done{};
     Result<Gl> loaded = Gl::load(*loader);
+    lost = !loaded; // of no use: the next call shall not get the same again
     if (!loaded) return std::move(loaded).error();
     gl = std::move(loaded).value();
     load = std::move(loader).value();

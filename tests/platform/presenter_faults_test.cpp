@@ -129,7 +129,7 @@ TEST_P(PresenterFaults, an_abandoned_presenter_calls_opengl_no_more) {
                                                    {"glDeleteProgram", as_proc(count_program_deletion)}});
     std::unique_ptr<gles::Presenter> presenter = create(load);
     ASSERT_TRUE(presenter->upload(random_picture(64, 48, 1)));
-    ASSERT_TRUE(presenter->draw(0, 0, 80, 80));
+    ASSERT_TRUE(presenter->draw(0, 0, 80, 80, {.filter = gles::Filter::sharp}));
     deletions = 0;
     presenter.reset();
     EXPECT_EQ(deletions, 5)
