@@ -150,19 +150,32 @@ void sum_contributions(std::vector<TracedRay> &rays) {
     }
 }
 
+void append(std::string &text, const char *words, uint32_t number) {
+    text += words;
+    text += std::to_string(number);
+}
+
+std::string pixel_text(uint32_t x, uint32_t y) {
+    std::string text;
+    append(text, "pixel ", x);
+    append(text, ",", y);
+    return text;
+}
+
 } // namespace
 
 Result<RayTree> trace_ray_tree(const Accel &accel, const RenderOptions &options, uint32_t width_px, uint32_t height_px,
                                uint32_t x, uint32_t y) {
     if (x >= width_px || y >= height_px) {
-        return Error(ErrorCode::bad_input, "pixel " + std::to_string(x) + "," + std::to_string(y) +
-                                               " lies outside of the picture, which has " + std::to_string(width_px) +
-                                               " x " + std::to_string(height_px) + " pixels");
+        std::string problem = pixel_text(x, y);
+        append(problem, " lies outside of a picture of ", width_px);
+        append(problem, " x ", height_px);
+        return Error(ErrorCode::bad_input, std::move(problem) + " pixels");
     }
     const ShadingTables tables(accel);
     const KernelScene kernel_scene = tables.kernel_scene();
-    const Result<KernelFrame> frame = kernel_frame(accel.scene(), kernel_scene, options, width_px, height_px);
-    if (!frame) return frame.error();
+    Result<KernelFrame> frame = kernel_frame(accel.scene(), kernel_scene, options, width_px, height_px);
+    if (!frame) return std::move(frame).error();
 
     RayTree tree;
     tree.width_px = width_px;
@@ -175,9 +188,9 @@ Result<RayTree> trace_ray_tree(const Accel &accel, const RenderOptions &options,
     KernelScratch scratch;
     tree.color = pixel_color(kernel_scene, *frame, x, y, scratch, &recorder);
     if (recorder.is_full()) {
-        return Error(ErrorCode::limit_exceeded, "pixel " + std::to_string(x) + "," + std::to_string(y) +
-                                                    " has more than " + std::to_string(max_tree_rays) +
-                                                    " rays; a smaller depth or fewer samples have less");
+        std::string problem = pixel_text(x, y);
+        append(problem, " has more rays than ", max_tree_rays);
+        return Error(ErrorCode::limit_exceeded, std::move(problem), "choose a smaller depth or fewer samples");
     }
     for (int channel = 0; channel < 3; ++channel) tree.rgba8[channel] = pixel_byte(*frame, tree.color[channel]);
     tree.rgba8[3] = 255;
