@@ -66,7 +66,9 @@ public:
         ray.distance = is_reversed ? length : infinite;
         ends_at(ray, {true, ray.light});
         if (share < 1.0f) {
-            const Hit hit = in_the_way(light, shadow, point.left, is_reversed);
+            InTheWay in_the_way{};
+            (void)share_through_glass(kernel_scene_, light, shadow.ray, shadow.t_max, point.left, &in_the_way);
+            const Hit &hit = is_reversed ? in_the_way.last : in_the_way.first;
             ray.distance = length * (is_reversed ? 1.0f - hit.t : hit.t);
             ends_at(ray, surface_of(hit));
         }
@@ -95,19 +97,6 @@ private:
         RayKind kind;
         uint32_t parent;
     };
-
-    /// What a shadow ray that something is in the way of meets first or, if it is traced from its far end, last.
-    [[nodiscard]] Hit in_the_way(const LightShading &light, const ShadowRay &shadow, uint32_t left,
-                                 bool is_reversed) const {
-        const PreparedRay ray(shadow.ray, kernel_scene_.geometry.bounds);
-        const auto next = [&](const Hit &last) {
-            return next_in_the_way(kernel_scene_, light, ray, last, shadow.t_max, left);
-        };
-        Hit found = next({0.0f, no_triangle});
-        if (!is_reversed) return found;
-        for (Hit hit = found; hit.triangle_id != no_triangle; hit = next(hit)) found = hit;
-        return found;
-    }
 
     [[nodiscard]] SurfaceRef surface_of(const Hit &hit) const {
         return accel_.scene().surface(kernel_scene_.geometry.surfaces[hit.triangle_id].surface);
