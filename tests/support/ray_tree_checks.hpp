@@ -124,6 +124,7 @@ inline void expect_makes_sense(const RayTree &tree, const Scene &scene) {
         expect_light_adds_up(tree, i, scene);
         EXPECT_NEAR(dot(ray.direction, ray.direction), 1.0f, 1e-5f);
         EXPECT_GE(ray.distance, 0.0f);
+        EXPECT_LE(ray.local_weight, ray.weight);
         if (ray.parent == no_ray) {
             EXPECT_EQ(ray.kind, RayKind::primary);
             EXPECT_EQ(ray.weight, 1.0f);
