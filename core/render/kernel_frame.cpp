@@ -9,7 +9,7 @@ namespace glint {
 Result<KernelFrame> kernel_frame(const Scene &scene, const KernelScene &kernel_scene, const RenderOptions &options,
                                  uint32_t width_px, uint32_t height_px) {
     if (options.camera) {
-        if (const auto problem = camera_problem(*options.camera)) return Error(ErrorCode::bad_input, *problem);
+        if (auto problem = camera_problem(*options.camera)) return Error(ErrorCode::bad_input, std::move(*problem));
     }
     KernelFrame frame{};
     frame.camera = options.camera.value_or(scene.camera());
@@ -19,8 +19,11 @@ Result<KernelFrame> kernel_frame(const Scene &scene, const KernelScene &kernel_s
     const PictureSettings &picture = scene.picture();
     const uint32_t samples = options.samples_per_pixel.value_or(picture.samples_per_pixel);
     if (samples < 1 || samples > max_samples) {
-        return Error(ErrorCode::bad_input, "a picture of " + std::to_string(samples) +
-                                               " samples a pixel, expected 1 to " + std::to_string(max_samples));
+        std::string problem = "a picture of ";
+        problem += std::to_string(samples);
+        problem += " samples a pixel, expected 1 to ";
+        problem += std::to_string(max_samples);
+        return Error(ErrorCode::bad_input, std::move(problem));
     }
     frame.samples = sample_grid(samples, options.pattern.value_or(picture.pattern), picture.seed);
     if (options.only_sample) {

@@ -66,7 +66,9 @@ public:
         ray.distance = is_reversed ? length : infinite;
         ends_at(ray, {true, ray.light});
         if (share < 1.0f) {
-            const Hit hit = in_the_way(light, shadow, point.left, is_reversed);
+            InTheWay in_the_way{};
+            (void)share_through_glass(kernel_scene_, light, shadow.ray, shadow.t_max, point.left, &in_the_way);
+            const Hit &hit = is_reversed ? in_the_way.last : in_the_way.first;
             ray.distance = length * (is_reversed ? 1.0f - hit.t : hit.t);
             ends_at(ray, surface_of(hit));
         }
@@ -95,19 +97,6 @@ private:
         RayKind kind;
         uint32_t parent;
     };
-
-    /// What a shadow ray that something is in the way of meets first or, if it is traced from its far end, last.
-    [[nodiscard]] Hit in_the_way(const LightShading &light, const ShadowRay &shadow, uint32_t left,
-                                 bool is_reversed) const {
-        const PreparedRay ray(shadow.ray, kernel_scene_.geometry.bounds);
-        const auto next = [&](const Hit &last) {
-            return next_in_the_way(kernel_scene_, light, ray, last, shadow.t_max, left);
-        };
-        Hit found = next({0.0f, no_triangle});
-        if (!is_reversed) return found;
-        for (Hit hit = found; hit.triangle_id != no_triangle; hit = next(hit)) found = hit;
-        return found;
-    }
 
     [[nodiscard]] SurfaceRef surface_of(const Hit &hit) const {
         return accel_.scene().surface(kernel_scene_.geometry.surfaces[hit.triangle_id].surface);
@@ -150,19 +139,32 @@ void sum_contributions(std::vector<TracedRay> &rays) {
     }
 }
 
+void append(std::string &text, const char *words, uint32_t number) {
+    text += words;
+    text += std::to_string(number);
+}
+
+std::string pixel_text(uint32_t x, uint32_t y) {
+    std::string text;
+    append(text, "pixel ", x);
+    append(text, ",", y);
+    return text;
+}
+
 } // namespace
 
 Result<RayTree> trace_ray_tree(const Accel &accel, const RenderOptions &options, uint32_t width_px, uint32_t height_px,
                                uint32_t x, uint32_t y) {
     if (x >= width_px || y >= height_px) {
-        return Error(ErrorCode::bad_input, "pixel " + std::to_string(x) + "," + std::to_string(y) +
-                                               " lies outside of the picture, which has " + std::to_string(width_px) +
-                                               " x " + std::to_string(height_px) + " pixels");
+        std::string problem = pixel_text(x, y);
+        append(problem, " lies outside of a picture of ", width_px);
+        append(problem, " x ", height_px);
+        return Error(ErrorCode::bad_input, std::move(problem) + " pixels");
     }
     const ShadingTables tables(accel);
     const KernelScene kernel_scene = tables.kernel_scene();
-    const Result<KernelFrame> frame = kernel_frame(accel.scene(), kernel_scene, options, width_px, height_px);
-    if (!frame) return frame.error();
+    Result<KernelFrame> frame = kernel_frame(accel.scene(), kernel_scene, options, width_px, height_px);
+    if (!frame) return std::move(frame).error();
 
     RayTree tree;
     tree.width_px = width_px;
@@ -175,9 +177,9 @@ Result<RayTree> trace_ray_tree(const Accel &accel, const RenderOptions &options,
     KernelScratch scratch;
     tree.color = pixel_color(kernel_scene, *frame, x, y, scratch, &recorder);
     if (recorder.is_full()) {
-        return Error(ErrorCode::limit_exceeded, "pixel " + std::to_string(x) + "," + std::to_string(y) +
-                                                    " has more than " + std::to_string(max_tree_rays) +
-                                                    " rays; a smaller depth or fewer samples have less");
+        std::string problem = pixel_text(x, y);
+        append(problem, " has more rays than ", max_tree_rays);
+        return Error(ErrorCode::limit_exceeded, std::move(problem), "choose a smaller depth or fewer samples");
     }
     for (int channel = 0; channel < 3; ++channel) tree.rgba8[channel] = pixel_byte(*frame, tree.color[channel]);
     tree.rgba8[3] = 255;

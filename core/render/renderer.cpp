@@ -66,7 +66,7 @@ Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptio
     const KernelScene kernel_scene = impl_->tables.kernel_scene();
     Result<KernelFrame> asked =
         kernel_frame(impl_->accel->scene(), kernel_scene, options, target.width_px(), target.height_px());
-    if (!asked) return asked.error();
+    if (!asked) return std::move(asked).error();
     KernelFrame &frame = *asked;
     frame.rgba8 = target.rgba8();
     frame.radiance = target.radiance();

@@ -3,8 +3,11 @@
 import json
 import struct
 import unittest
+from pathlib import Path
 
 from glint_process import GlintTest, needs_images, read_ppm
+
+SOURCE = Path(__file__).resolve().parents[2]
 
 
 def as_float(number):
@@ -92,6 +95,13 @@ class Inspect(GlintTest):
             said = row[start:]
             self.assertEqual(len(said) - len(said.lstrip()), 2 * ray["level"], row)
         self.assertIn("light from lamp.obj (0)", "\n".join(rows))
+
+    def test_the_readme_shows_what_is_printed(self):
+        shown = [part for part in (SOURCE / "README.md").read_text().split("```") if "4 rays: 1 primary" in part]
+        self.assertEqual(len(shown), 1)
+        scene = "scenes/sdl/cornell.sdl"
+        out = self.glint("inspect", scene, "--pixel", "3,100", cwd=SOURCE).stdout
+        self.assertEqual(out.strip(), shown[0].strip())
 
     def test_a_file_name_that_is_not_utf8_does_not_break_the_json(self):
         name = b"r\xffm.sdl".decode(errors="surrogateescape")

@@ -137,6 +137,33 @@ TEST(RayTree, of_a_stack_of_panes_is_what_one_works_out_by_hand) {
     EXPECT_EQ(rays[3].contribution, Color(0.0f, 0.0f, 0.25f));
 }
 
+TEST(RayTree, names_the_surface_in_the_way_that_is_nearest_to_the_point) {
+    SceneBuilder builder;
+    builder.add_object({"ground", square(10.0f, 0.0f), {}});
+    builder.add_object({"high", square(1.0f, 3.0f), {}});
+    builder.add_object({"low", square(1.0f, 1.0f), {}});
+    Light lamp{"lamp", nullptr, Color(1.0f)};
+    lamp.kind = Light::Kind::point;
+    lamp.position = Point(0.0f, 5.0f, 0.0f);
+    Light sun{"sun", nullptr, Color(1.0f)};
+    sun.kind = Light::Kind::directional;
+    builder.add_light(lamp).add_light(sun);
+    // From the side, below the low one.
+    builder.set_camera(Camera::look_at({2, 0.5f, 0}, {0, 0, 0}, {0, 1, 0}, 0.01f, 0.01f));
+    const auto scene = builder.build();
+    ASSERT_TRUE(scene.ok()) << scene.error().text();
+    const auto tree = trace_ray_tree(*Accel::build(*scene), {}, 1, 1, 0, 0);
+    ASSERT_TRUE(tree.ok()) << tree.error().text();
+    ASSERT_EQ(tree->rays.size(), 3u);
+    for (size_t i = 1; i < 3; ++i) {
+        EXPECT_EQ(tree->rays[i].light, i - 1);
+        EXPECT_EQ(tree->rays[i].light_name, i == 1 ? "lamp" : "sun");
+        EXPECT_EQ(tree->rays[i].target_name, "low");
+        EXPECT_NEAR(tree->rays[i].distance, 1.0f, 1e-3f);
+        EXPECT_EQ(tree->rays[i].light_share, 0.0f);
+    }
+}
+
 TEST(RayTree, of_depth_0_casts_shadow_rays_only) {
     const Stack stack;
     RenderOptions options;

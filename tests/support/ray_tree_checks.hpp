@@ -102,14 +102,29 @@ inline void expect_follows_from_its_parent(const RayTree &tree, uint32_t index, 
     for (int channel = 0; channel < 3; ++channel) EXPECT_LE(ray.local_color[channel], parent.local_color[channel]);
 }
 
+/// A surface without texture shows its ambient light and what its shadow rays bring, to the last bit.
+inline void expect_light_adds_up(const RayTree &tree, uint32_t index, const Scene &scene) {
+    const TracedRay &ray = tree.rays[index];
+    if (ray.kind == RayKind::shadow || ray.target != RayTarget::object || !(ray.local_weight > 0.0f)) return;
+    const Material &material = scene.objects()[ray.target_index].material;
+    if (material.texture) return;
+    Color sum = material.color * (material.ambient * scene.ambient());
+    for (uint32_t i = index + 1; i < tree.rays.size() && tree.rays[i].kind == RayKind::shadow; ++i) {
+        sum += tree.rays[i].local_color;
+    }
+    EXPECT_EQ(sum, ray.local_color);
+}
+
 inline void expect_makes_sense(const RayTree &tree, const Scene &scene) {
     uint32_t primaries = 0;
     Color brought(0.0f);
     for (uint32_t i = 0; i < tree.rays.size(); ++i) {
         const TracedRay &ray = tree.rays[i];
         expect_names(ray, scene);
+        expect_light_adds_up(tree, i, scene);
         EXPECT_NEAR(dot(ray.direction, ray.direction), 1.0f, 1e-5f);
         EXPECT_GE(ray.distance, 0.0f);
+        EXPECT_LE(ray.local_weight, ray.weight);
         if (ray.parent == no_ray) {
             EXPECT_EQ(ray.kind, RayKind::primary);
             EXPECT_EQ(ray.weight, 1.0f);

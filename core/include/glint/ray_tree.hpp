@@ -53,7 +53,8 @@ struct TracedRay {
 
     Point origin{0.0f};     ///< in the scene's units
     Vector direction{0.0f}; ///< unit length
-    float distance = 0.0f;  ///< from the origin to what it ends at, in the scene's units; infinite for the background
+    /// From the origin to what it ends at, in the scene's units; infinite for the background and directional light.
+    float distance = 0.0f;
 
     /// A shadow ray ends at its light or, where less than all of the light comes through, at the nearest surface in its
     /// way.
@@ -61,10 +62,10 @@ struct TracedRay {
     uint32_t target_index = 0; ///< into objects() or lights()
     std::string target_name;   ///< of the object or light; empty for the background
 
-    /// The ray's share in its sample: its colour counts so much.
+    /// The ray's share in its sample: its colour counts so much. Of a shadow ray: its parent's local_weight.
     float weight = 1.0f;
-    /// The share of what it ends at, without what is mirrored and transmitted there; never more than `weight`, unless
-    /// the surface adds mirrored light to its own. 0 for a shadow ray, since what it brings is in its parent's colour.
+    /// The share of what it ends at, without what is mirrored and transmitted there: all of `weight`, where those are
+    /// added and do not take its place. 0 for a shadow ray, since what it brings is in its parent's colour.
     float local_weight = 0.0f;
     /// What it ends at, as it shows itself, in linear red, green, blue: a surface in ambient light and the lights that
     /// reach it, a light's glow, the background. Of a shadow ray: what its light adds to its parent's.
