@@ -28,7 +28,7 @@ void RenderControl::reset() {
 struct Renderer::Impl {
     Impl(std::shared_ptr<const Accel> accel_, const RendererOptions &options)
         : accel(std::move(accel_)),
-          tables(*accel),
+          tables(accel->scene()),
           kernel(kernel_for(options.isa)),
           pool(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
           workers(pool.threads()) {}
@@ -51,6 +51,13 @@ Renderer::Renderer(std::shared_ptr<const Accel> accel, const RendererOptions &op
     : impl_(std::make_unique<Impl>(std::move(accel), options)) {}
 Renderer::~Renderer() = default;
 
+void Renderer::set_accel(std::shared_ptr<const Accel> accel) {
+    const std::lock_guard lock(impl_->one_render);
+    const Scene &scene = accel->scene();
+    if (!scene.is_edit_of(impl_->accel->scene())) impl_->tables = ShadingTables(scene);
+    impl_->accel = std::move(accel);
+}
+
 unsigned Renderer::threads() const {
     return impl_->pool.threads();
 }
@@ -69,7 +76,7 @@ Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptio
         if (const auto problem = camera_problem(*options.camera)) return Error(ErrorCode::bad_input, *problem);
     }
 
-    const KernelScene kernel_scene = impl_->tables.kernel_scene();
+    const KernelScene kernel_scene = impl_->tables.kernel_scene(*impl_->accel);
     KernelFrame frame{};
     frame.camera = options.camera.value_or(scene.camera());
     frame.width_px = target.width_px();

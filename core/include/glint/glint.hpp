@@ -2,12 +2,15 @@
 #pragma once
 
 #include <glint/accel.hpp>
+#include <glint/animation.hpp>
 #include <glint/framebuffer.hpp>
 #include <glint/isa.hpp>
+#include <glint/motion.hpp>
 #include <glint/quadric.hpp>
 #include <glint/ray_query.hpp>
 #include <glint/read.hpp>
 #include <glint/renderer.hpp>
 #include <glint/result.hpp>
+#include <glint/rigid_transform.hpp>
 #include <glint/scene.hpp>
 #include <glint/version.hpp>
