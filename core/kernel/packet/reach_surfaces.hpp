@@ -66,7 +66,11 @@ HWY_NOINLINE uint32_t reach_surfaces(const KernelScene &scene, uint32_t max_dept
         const Points position = sum(level.depth == 0 ? shared_origin : level.rays.org(ray), way);
         Floats scale = hn::Max(hn::Max(max_abs(position), max_abs(way)), splat(scene.offset_floor));
         Points n = normals_of(scene, triangles);
-        if (!is_plain && scene.geometry.instances.count != 0) turn_normals(scene, numbers, n, scale);
+        if (!is_plain && scene.geometry.instances.count != 0) {
+            const ScaledNormals turned = with_instances(scene, numbers, n, scale);
+            n = turned.normals;
+            scale = turned.scale;
+        }
         if (!is_plain && scene.geometry.quadrics.count != 0) {
             n = with_quadric_normals(scene, triangles, position, dir, n);
         }
