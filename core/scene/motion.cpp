@@ -7,6 +7,8 @@
 
 namespace glint {
 
+SceneEdit::SceneEdit(const Scene &scene) : scene_(new Scene(scene)) {}
+
 Result<std::shared_ptr<const Scene>> with_poses(const std::shared_ptr<const Scene> &scene,
                                                 std::span<const ObjectPose> poses) {
     SceneEdit edit(*scene);

@@ -11,7 +11,7 @@ namespace glint {
 /// A copy of a scene, which shares its meshes, in the making.
 class SceneEdit {
 public:
-    explicit SceneEdit(const Scene &scene) : scene_(new Scene(scene)) {}
+    explicit SceneEdit(const Scene &scene);
 
     [[nodiscard]] Object &object(size_t i) { return scene_->objects_[i]; }
     [[nodiscard]] Camera &camera() { return scene_->camera_; }
