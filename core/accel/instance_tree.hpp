@@ -23,8 +23,8 @@ struct Instance {
     RigidTransform pose;
     /// Of the object in the world, with room for all rounding that does not grow with the ray's own way.
     Box bounds;
-    uint32_t first_triangle;   ///< triangle_id, in the scene, of the first of its own triangles
-    const KdNode *nodes;       ///< of its tree, as GeometryView has them; triangles count from 0
+    uint32_t first_triangle; ///< triangle_id, in the scene, of the first of its own triangles
+    const KdNode *nodes;     ///< of its tree, as GeometryView has them; triangles count from 0
     const WideNode *wide_nodes;
     const uint32_t *leaf_words;
     uint32_t triangle_count;

@@ -37,8 +37,7 @@ Form moved(const Form &form, const RigidTransform &pose) {
 Box box_of(const QuadricShape &shape, const RigidTransform &pose) {
     if (!shape.is_bounded || pose == RigidTransform{}) return shape.bounds;
     Box box = box_to_world(pose, shape.bounds);
-    const float room =
-        0x1p-18f * (max_abs(shape.bounds.lo) + max_abs(shape.bounds.hi) + max_abs(pose.translation));
+    const float room = 0x1p-18f * (max_abs(shape.bounds.lo) + max_abs(shape.bounds.hi) + max_abs(pose.translation));
     box.lo -= room;
     box.hi += room;
     return box;

@@ -21,9 +21,7 @@ struct TriangleTree {
     [[nodiscard]] const Box &bounds() const { return is_bvh() ? bvh.bounds : kd.bounds; }
     [[nodiscard]] const KdNode *nodes() const { return is_bvh() || triangle_count == 0 ? nullptr : kd.nodes.data(); }
     [[nodiscard]] const WideNode *wide_nodes() const { return is_bvh() ? bvh.nodes.data() : nullptr; }
-    [[nodiscard]] const uint32_t *leaf_words() const {
-        return is_bvh() ? bvh.leaf_words.data() : kd.leaf_words.data();
-    }
+    [[nodiscard]] const uint32_t *leaf_words() const { return is_bvh() ? bvh.leaf_words.data() : kd.leaf_words.data(); }
     [[nodiscard]] AccelStatistics measure() const;
 
     /// The triangles' ids become ids[id].

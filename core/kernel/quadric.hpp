@@ -83,7 +83,8 @@ void walk_quadrics(const QuadricView &quadrics, const PreparedRay &ray, const fl
         if (visit(quadrics.all[i])) return;
     }
     if (quadrics.count == quadrics.unbounded_count) return;
-    walk_boxes(quadrics.nodes, ray, t_max, [&](uint32_t i) { return visit(quadrics.all[quadrics.unbounded_count + i]); });
+    walk_boxes(quadrics.nodes, ray, t_max,
+               [&](uint32_t i) { return visit(quadrics.all[quadrics.unbounded_count + i]); });
 }
 
 } // namespace glint

@@ -21,8 +21,8 @@ template <typename Key> struct Moment {
     double share; ///< of the way from one to the other
 };
 template <typename Key> Moment<Key> moment_of(const std::vector<Key> &keys, double time_s) {
-    const auto next =
-        std::upper_bound(keys.begin(), keys.end(), time_s, [](double time, const Key &key) { return time < key.time_s; });
+    const auto next = std::upper_bound(keys.begin(), keys.end(), time_s,
+                                       [](double time, const Key &key) { return time < key.time_s; });
     if (next == keys.begin()) return {keys.front(), keys.front(), 0.0};
     if (next == keys.end()) return {keys.back(), keys.back(), 0.0};
     const Key &from = *(next - 1);
@@ -62,7 +62,8 @@ void check_keys(const std::vector<Key> &keys, const std::string &owner, SceneChe
         if (!std::isfinite(keys[i].time_s) || !rises) {
             check.complain(owner + ": the times of its keys do not rise");
         } else if (!is_valid(keys[i])) {
-            check.complain(owner + ": key " + std::to_string(i) + " is not finite, beyond 1e12, or turns about nothing");
+            check.complain(owner + ": key " + std::to_string(i) +
+                           " is not finite, beyond 1e12, or turns about nothing");
         }
     }
 }

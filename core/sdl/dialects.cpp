@@ -6,7 +6,8 @@
 //   dialects  which dialects have it
 //   evidence  which dialects a file with such a line belongs to; `nothing` where every dialect may have the line
 //   handler   what it does
-//   role      whether it adds a light, an object or a step of a motion; all else is a setting, which a file may give once
+//   role      whether it adds a light, an object or a step of a motion; all else is a setting, which a file may give
+//   once
 // Where a line fits several rows, the evidence is for any of their dialects. Detection (detect.cpp) looks at nothing
 // else.
 //

@@ -57,8 +57,7 @@ void read_object_pivot(const Arguments &arguments, SceneDraft &draft) {
 }
 
 void read_eye_move(const Arguments &arguments, SceneDraft &draft) {
-    draft.motion.eye.push_back(
-        {read_time(arguments, 0), arguments.place(0), arguments.point(1), arguments.place(3)});
+    draft.motion.eye.push_back({read_time(arguments, 0), arguments.place(0), arguments.point(1), arguments.place(3)});
 }
 
 } // namespace glint

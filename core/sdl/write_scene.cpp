@@ -212,8 +212,7 @@ private:
     std::map<std::filesystem::path, std::string> known_names_;
     SdlTable camera_{"Camera", SdlTable::Of::settings}, picture_{"Picture", SdlTable::Of::settings},
         optics_{"How light behaves", SdlTable::Of::settings}, lights_{"Lights", SdlTable::Of::surfaces},
-        objects_{"Objects", SdlTable::Of::surfaces},
-        motion_{"Motion", SdlTable::Of::surfaces};
+        objects_{"Objects", SdlTable::Of::surfaces}, motion_{"Motion", SdlTable::Of::surfaces};
 };
 
 } // namespace

@@ -50,9 +50,12 @@ std::vector<Object> bodies() {
     const auto ball = smooth_and_textured_ball();
     Material textured = matt();
     textured.texture = checks();
-    std::vector<Object> all{{"torus", shared(torus(24, 12)), mirror()}, {"ball", ball, textured},
-                            {"cube", shared(cube()), glass()},          {"bent", shared(soup(40)), matt()},
-                            {"ball again", ball, mirror()},             {"egg", nullptr, matt()},
+    std::vector<Object> all{{"torus", shared(torus(24, 12)), mirror()},
+                            {"ball", ball, textured},
+                            {"cube", shared(cube()), glass()},
+                            {"bent", shared(soup(40)), matt()},
+                            {"ball again", ball, mirror()},
+                            {"egg", nullptr, matt()},
                             {"sphere", nullptr, glass()}};
     all[5].quadric = Quadric{1, 4, 9, 0, 0, 0, 0, 0, 0, -1};
     all[6].quadric = Quadric{1, 1, 1, 0, 0, 0, 0.25f, 0, 0, -1};
@@ -60,7 +63,8 @@ std::vector<Object> bodies() {
 }
 
 RigidTransform random_pose(Random &random, const Point &around, float within) {
-    return RigidTransform::turned(random.direction(), random.uniform(-3.0f, 3.0f), random.in_box({-1, -1, -1}, {1, 1, 1}),
+    return RigidTransform::turned(random.direction(), random.uniform(-3.0f, 3.0f),
+                                  random.in_box({-1, -1, -1}, {1, 1, 1}),
                                   around + random.in_box(Point(-within), Point(within)));
 }
 
@@ -99,7 +103,8 @@ Object moved_object(Object object, const RigidTransform &pose) {
     // p.Mp + 2 v.p + k at R^T (p - t), in double.
     const Quadric &q = *object.quadric;
     const double m[3][3] = {{q.a, q.d, q.f}, {q.d, q.b, q.e}, {q.f, q.e, q.c}}, v[3] = {q.g, q.h, q.j};
-    const double r[3][3] = {{pose.x.x, pose.y.x, pose.z.x}, {pose.x.y, pose.y.y, pose.z.y}, {pose.x.z, pose.y.z, pose.z.z}};
+    const double r[3][3] = {
+        {pose.x.x, pose.y.x, pose.z.x}, {pose.x.y, pose.y.y, pose.z.y}, {pose.x.z, pose.y.z, pose.z.z}};
     const double t[3] = {pose.translation.x, pose.translation.y, pose.translation.z};
     double n[3][3] = {}, w[3] = {}, k = q.k;
     for (int i = 0; i < 3; ++i) {
@@ -160,7 +165,8 @@ size_t differing_pixels(const Framebuffer &a, const Framebuffer &b, int toleranc
     size_t count = 0;
     for (size_t i = 0; i < size_t{width} * height; ++i) {
         int most = 0;
-        for (size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int{a.rgba8()[4 * i + c]} - b.rgba8()[4 * i + c]));
+        for (size_t c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(int{a.rgba8()[4 * i + c]} - b.rgba8()[4 * i + c]));
         count += most > tolerance ? 1 : 0;
     }
     return count;
@@ -204,8 +210,9 @@ TEST(MovingObjects, look_the_same_with_every_kernel_tree_and_number_of_threads) 
         for (const Isa isa : available_isas()) {
             for (const AccelKind kind : every_kind) {
                 for (const unsigned threads : {1u, 3u}) {
-                    EXPECT_EQ(render(Accel::build(scene, {kind, 1}), width, height, depth, {threads, isa}).radiance_hash(),
-                              expected)
+                    EXPECT_EQ(
+                        render(Accel::build(scene, {kind, 1}), width, height, depth, {threads, isa}).radiance_hash(),
+                        expected)
                         << isa_name(isa) << ", " << accel_kind_name(kind) << ", " << threads << " threads";
                 }
             }
@@ -273,7 +280,8 @@ TEST(MovingObjects, alone_make_a_scene) {
             EXPECT_EQ(render(accel, width, height, 1, {1, isa}).radiance_hash(), expected.radiance_hash());
         }
         size_t background = 0;
-        for (uint32_t i = 0; i < width * height; ++i) background += pixel(expected, i % width, i / width) == Color(0, 0, 1);
+        for (uint32_t i = 0; i < width * height; ++i)
+            background += pixel(expected, i % width, i / width) == Color(0, 0, 1);
         EXPECT_GT(background, width * height / 10u);
         EXPECT_LT(background, width * height * 9u / 10u);
     }
@@ -379,8 +387,8 @@ TEST(MovingObjects, may_hold_the_eye) {
         Light lamp;
         lamp.kind = Light::Kind::point;
         lamp.position = by + Vector(3, 4, 8);
-        builder.add_light(lamp).set_camera(Camera::look_at(by + Vector(0.2f, 0.1f, 0.3f), by + Vector(0, 0, -5),
-                                                            {0, 1, 0}, 1.2f, 0.9f));
+        builder.add_light(lamp).set_camera(
+            Camera::look_at(by + Vector(0.2f, 0.1f, 0.3f), by + Vector(0, 0, -5), {0, 1, 0}, 1.2f, 0.9f));
         return built(builder);
     };
     const Framebuffer moving = render(scene_at_offset({8, 16, 4}, true), width, height, depth);

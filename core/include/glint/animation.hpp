@@ -19,8 +19,8 @@ struct PlaceKey {
     Point place{0.0f};
 };
 
-/// A turn that is reached at a time. Between keys of the same axis the angle grows evenly, so that 0 to 4 pi is two full
-/// turns; between others the object turns evenly from one attitude to the other, the shorter way.
+/// A turn that is reached at a time. Between keys of the same axis the angle grows evenly, so that 0 to 4 pi is two
+/// full turns; between others the object turns evenly from one attitude to the other, the shorter way.
 struct TurnKey {
     double time_s = 0.0;
     Vector axis{0.0f, 1.0f, 0.0f}; ///< any length but 0

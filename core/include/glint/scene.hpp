@@ -278,10 +278,9 @@ public:
     /// Checks everything and hands the scene over; the builder is empty afterwards.
     /// Fails, with one diagnostic for each problem, when there is no object, a shape is missing or empty, an index is
     /// out of range, a number is not finite, a fraction is outside [0, 1], kr + kt > 1, a quadric has no real points or
-    /// no area, a pose is no rotation, the camera's window has no area or contains the eye's plane, an animation moves what
-    /// cannot move, or a limit is passed. Triangles without
-    /// area are left out and counted; a mesh that has no other triangles is an error. A scene without lights is allowed
-    /// here (readers may be stricter).
+    /// no area, a pose is no rotation, the camera's window has no area or contains the eye's plane, an animation moves
+    /// what cannot move, or a limit is passed. Triangles without area are left out and counted; a mesh that has no
+    /// other triangles is an error. A scene without lights is allowed here (readers may be stricter).
     [[nodiscard]] Result<std::shared_ptr<const Scene>> build();
 
 private:

@@ -1,5 +1,5 @@
-// Rays, their hits and normals between the space of a moving object and the world. The arithmetic is that of math/rigid.hpp,
-// operation by operation; read that first.
+// Rays, their hits and normals between the space of a moving object and the world. The arithmetic is that of
+// math/rigid.hpp, operation by operation; read that first.
 #pragma once
 
 #include "accel/instance_tree.hpp"
