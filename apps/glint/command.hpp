@@ -23,6 +23,7 @@ struct Command {
 [[nodiscard]] Command add_bench_table_command(CLI::App &bench);
 [[nodiscard]] Command add_bench_frame_command(CLI::App &bench);
 [[nodiscard]] Command add_bench_kernels_command(CLI::App &bench);
+[[nodiscard]] Command add_bench_moving_command(CLI::App &bench);
 
 /// What `glint --version` prints, without a newline at the end.
 [[nodiscard]] std::string version_text();

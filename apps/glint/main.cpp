@@ -50,7 +50,8 @@ ExitCode run(int argc, char **argv) {
     std::vector<Command> commands = {add_render_command(parser), add_info_command(parser), add_convert_command(parser)};
     CLI::App *bench = parser.add_subcommand("bench", "Measure this machine");
     bench->require_subcommand(1);
-    for (const auto &add_command : {add_bench_table_command, add_bench_frame_command, add_bench_kernels_command}) {
+    for (const auto &add_command :
+         {add_bench_table_command, add_bench_frame_command, add_bench_kernels_command, add_bench_moving_command}) {
         commands.push_back(add_command(*bench));
     }
     try {
