@@ -121,7 +121,10 @@ private:
             return ExitCode::usage;
         }
         Result<FramePattern> pattern = FramePattern::parse(options_.output);
-        if (!pattern) return fail(pattern.error()), ExitCode::usage;
+        if (!pattern) {
+            complain(pattern.error().text());
+            return ExitCode::usage;
+        }
         pattern_ = std::move(*pattern);
         target_ = pattern_->file(options_.frames->first);
         const Status writable = check_image_file(*target_);

@@ -20,8 +20,9 @@ float read_time(const Arguments &arguments, size_t i) {
 /// Whether the word of a form that counts so many arguments is the right one; the count says which that is.
 bool has_word(const Arguments &arguments, size_t i, std::string_view word) {
     if (arguments.word(i) == word) return true;
-    arguments.error(i, words("expected ", in_quotes(word), ", found ", in_quotes(arguments.word(i))),
-                    "'translate' takes three numbers, 'rotate' an axis and degrees");
+    arguments.error(
+        i, words("expected ", in_quotes(word), ", found ", in_quotes(arguments.word(i))),
+        "after the time, 'translate' takes three numbers, 'rotate' an axis and degrees; 'pivot' has no time");
     return false;
 }
 

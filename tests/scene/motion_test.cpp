@@ -160,7 +160,9 @@ TEST(SceneAt, refuses_what_cannot_be) {
         const auto moved = scene_at(scene, animation, time_s);
         SceneBuilder builder = two_cubes();
         const auto at_once = builder.set_animation(std::make_shared<const Animation>(animation)).build();
-        if (time_s == 0.5 && animation.eye.places.empty()) EXPECT_EQ(bool(moved), bool(at_once));
+        if (time_s == 0.5 && animation.eye.places.empty()) {
+            EXPECT_EQ(bool(moved), bool(at_once));
+        }
         return moved ? std::string() : moved.error().text();
     };
     const auto has = [](const std::string &text, const char *part) { return text.find(part) != std::string::npos; };
