@@ -26,6 +26,7 @@ struct Command {
 [[nodiscard]] Command add_bench_table_command(CLI::App &bench);
 [[nodiscard]] Command add_bench_frame_command(CLI::App &bench);
 [[nodiscard]] Command add_bench_kernels_command(CLI::App &bench);
+[[nodiscard]] Command add_bench_moving_command(CLI::App &bench);
 [[nodiscard]] Command add_bench_read_command(CLI::App &bench);
 [[nodiscard]] Command add_bench_present_command(CLI::App &bench);
 [[nodiscard]] Command add_bench_upscale_command(CLI::App &bench);

@@ -54,8 +54,9 @@ ExitCode run(int argc, char **argv) {
                                      add_convert_command(parser), add_surfaces_command(parser)};
     CLI::App *bench = parser.add_subcommand("bench", "Measure this machine");
     bench->require_subcommand(1);
-    for (const auto &add_command : {add_bench_table_command, add_bench_frame_command, add_bench_kernels_command,
-                                    add_bench_read_command, add_bench_present_command, add_bench_upscale_command}) {
+    for (const auto &add_command :
+         {add_bench_table_command, add_bench_frame_command, add_bench_kernels_command, add_bench_moving_command,
+          add_bench_read_command, add_bench_present_command, add_bench_upscale_command}) {
         commands.push_back(add_command(*bench));
     }
     try {

@@ -15,6 +15,7 @@
 #include "command.hpp"
 #include "console.hpp"
 #include "failure.hpp"
+#include "frame_options.hpp"
 #include "interrupt.hpp"
 #include "isa_option.hpp"
 #include "number_options.hpp"
@@ -36,7 +37,13 @@ Examples:
   glint render cornell.sdl                          writes cornell.png
   glint render cornell.sdl -o big.exr --size 2048x2048 --depth 5
   glint render cornell.sdl --spp 16 --pattern stratified
-  glint render cornell.sdl --hash --threads 1       prints two lines, writes nothing)";
+  glint render cornell.sdl --hash --threads 1       prints two lines, writes nothing
+  glint render juggling.sdl --frames 0..99 -o frame.%04d.png
+
+Frame N of a scene that moves shows it N / fps seconds from its beginning. Without --frames a
+picture shows the beginning.)";
+
+constexpr double usual_fps = 25.0;
 
 struct RenderCommandOptions {
     SceneOptions scene;
@@ -46,6 +53,8 @@ struct RenderCommandOptions {
     std::optional<uint32_t> threads;
     AccelKind accel = AccelKind::automatic;
     Isa isa = best_isa();
+    std::optional<FrameRange> frames;
+    std::optional<uint32_t> fps;
     bool hash = false;
     bool stats = false;
 };
@@ -64,6 +73,10 @@ public:
 
         // Everything that can be refused is refused before the work, not after minutes of it.
         if (const ExitCode code = choose_size(); code != ExitCode::ok) return code;
+        if (options_.frames) {
+            if (const ExitCode code = choose_pattern(); code != ExitCode::ok) return code;
+            return render_frames();
+        }
         if (const ExitCode code = choose_target(*file); code != ExitCode::ok) return code;
         return render_and_report();
     }
@@ -95,6 +108,60 @@ private:
         const ExitCode code = fail(writable.error());
         if (writable.error().code != ErrorCode::bad_input) return code;
         return user_chose ? ExitCode::usage : ExitCode::bad_input; // whoever named the file
+    }
+
+    /// Where frames go.
+    ExitCode choose_pattern() {
+        if (!scene_->animation()) complain("nothing moves in this scene: all frames will be the same");
+        if (options_.output.empty()) {
+            if (options_.hash || options_.stats) return ExitCode::ok;
+            complain("--frames: needs -o with a place for the frame's number, like -o frame.%04d.png");
+            return ExitCode::usage;
+        }
+        Result<FramePattern> pattern = FramePattern::parse(options_.output);
+        if (!pattern) {
+            complain(pattern.error().text());
+            return ExitCode::usage;
+        }
+        pattern_ = std::move(*pattern);
+        target_ = pattern_->file(options_.frames->first);
+        const Status writable = check_image_file(*target_);
+        if (writable) return ExitCode::ok;
+        const ExitCode code = fail(writable.error());
+        return writable.error().code == ErrorCode::bad_input ? ExitCode::usage : code;
+    }
+
+    ExitCode render_frames() {
+        const double fps = options_.fps ? static_cast<double>(*options_.fps) : usual_fps;
+        std::shared_ptr<const Accel> accel =
+            Accel::build(scene_, {.kind = options_.accel, .threads = options_.threads.value_or(0)});
+        Renderer renderer(accel, {.threads = options_.threads.value_or(0), .isa = options_.isa});
+        const bool with_radiance = options_.hash || (target_ && image_needs_radiance(*target_));
+        Result<Framebuffer> picture = Framebuffer::create(size_.width_px, size_.height_px, with_radiance);
+        if (!picture) return fail(picture.error());
+
+        RenderControl control;
+        const InterruptGuard guard(control);
+        for (uint32_t frame = options_.frames->first; frame <= options_.frames->last; ++frame) {
+            const auto scene = scene_at(scene_, frame / fps);
+            if (!scene) return fail(scene.error());
+            accel = Accel::update(accel, *scene);
+            renderer.set_accel(accel);
+            const Result<RenderStatistics> statistics = render(renderer, *picture, control);
+            if (!statistics) return fail(statistics.error());
+            if (options_.hash) {
+                print(fmt::format("frame {} pixels {:016x} radiance {:016x}\n", frame, picture->pixel_hash(),
+                                  picture->radiance_hash()));
+            }
+            if (pattern_) {
+                const std::filesystem::path file = pattern_->file(frame);
+                if (const Status written = write_image(file, *picture, &control); !written)
+                    return fail(written.error());
+                print(fmt::format("wrote {} ({}x{})\n", file.string(), size_.width_px, size_.height_px));
+            }
+            if (options_.stats) print(render_statistics_text(renderer, *statistics, read_seconds_));
+        }
+        return ExitCode::ok;
     }
 
     ExitCode render_and_report() {
@@ -131,6 +198,7 @@ private:
     std::shared_ptr<const Scene> scene_;
     Size size_{};
     std::optional<std::filesystem::path> target_;
+    std::optional<FramePattern> pattern_; ///< of frames
     double read_seconds_ = 0.0;
 };
 
@@ -155,6 +223,10 @@ Command add_render_command(CLI::App &parser) {
                "How rays find triangles: a kd-tree or, for many triangles, a bounding volume hierarchy "
                "(automatic), one of them, or testing all");
     add_isa(*render, options->isa);
+    CLI::Option *frames = add_frame_range(*render, "--frames", options->frames,
+                                          "Render these frames of a scene that moves; -o then has a %d");
+    add_number(*render, "--fps", options->fps, {1, 100'000}, "Frames a second of the scene's time (default 25)")
+        ->needs(frames);
     render->add_flag("--hash", options->hash, "Print XXH3-64 hashes of the picture's bytes and of its linear floats");
     render->add_flag("--stats", options->stats, "Print times, rays and the tree's figures");
     add_scene_options(*render, options->scene);

@@ -1,31 +1,108 @@
 // From a scene to what rays are traced against.
-#include "accel/accel_impl.hpp"
-
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <map>
 #include <thread>
 
-#include "accel/tree_statistics.hpp"
+#include "accel/accel_impl.hpp"
 
 namespace glint {
 
 namespace {
 
-/// Starting a thread takes about as long as building over this many triangles.
-constexpr uint32_t triangles_worth_a_thread = 500;
+using Clock = std::chrono::steady_clock;
 
-unsigned threads_for(const AccelOptions &options, uint32_t triangle_count) {
-    const unsigned allowed = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-    return std::min(allowed, 1 + triangle_count / triangles_worth_a_thread);
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-AccelKind kind_for(AccelKind wish, uint32_t triangle_count) {
-    if (wish == AccelKind::automatic)
-        wish = triangle_count <= most_triangles_for_kdtree ? AccelKind::kdtree : AccelKind::bvh;
-    // A hierarchy over nothing has no root, and over more triangles than its links count does not fit.
-    const bool fits = triangle_count > 0 && triangle_count <= max_bvh_triangles;
-    return wish == AccelKind::bvh && !fits ? AccelKind::kdtree : wish;
+bool is_moving(const Scene &scene, uint32_t surface) {
+    const SurfaceRef ref = scene.surface(surface);
+    return !ref.is_light && scene.objects()[ref.index].pose;
+}
+
+/// Trees over what stands still and, of each mesh that moves, over that mesh.
+class PartsBuilder {
+public:
+    PartsBuilder(const Scene &scene, const AccelOptions &options)
+        : scene_(scene),
+          threads_(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
+          parts_(std::make_shared<SharedParts>()) {
+        parts_->options = options;
+    }
+
+    std::shared_ptr<const SharedParts> build() {
+        TriangleData triangles = TriangleData::from(scene_, threads_);
+        parts_->surfaces = std::move(triangles.surfaces);
+        take_movers(triangles.corners);
+        if (parts_->movers.empty()) {
+            parts_->still = TriangleTree::build(triangles.corners, parts_->options.kind, threads_);
+        } else {
+            build_still(triangles.corners);
+        }
+        measure();
+        return std::move(parts_);
+    }
+
+private:
+    /// Finds the meshes that move, and builds their trees.
+    void take_movers(std::span<const TriangleCorners> corners) {
+        std::map<const Mesh *, uint32_t> tree_of;
+        uint32_t first = 0;
+        for (uint32_t s = 0; s < scene_.surface_count(); ++s) {
+            const Mesh *const mesh = scene_.surface_mesh(s);
+            const auto count = mesh ? static_cast<uint32_t>(mesh->triangles.size()) : 0;
+            if (mesh && is_moving(scene_, s)) {
+                const auto [known, is_new] = tree_of.try_emplace(mesh, static_cast<uint32_t>(parts_->meshes.size()));
+                if (is_new) {
+                    parts_->meshes.push_back(
+                        TriangleTree::build(corners.subspan(first, count), parts_->options.kind, threads_));
+                }
+                parts_->instance_of_surface.resize(scene_.surface_count(), no_instance);
+                parts_->instance_of_surface[s] = static_cast<uint32_t>(parts_->movers.size());
+                parts_->movers.push_back({scene_.surface(s).index, first, known->second});
+            }
+            first += count;
+        }
+    }
+
+    /// Over the triangles between the movers'.
+    void build_still(std::span<const TriangleCorners> all) {
+        UninitializedVector<TriangleCorners> corners;
+        std::vector<uint32_t> ids;
+        for (uint32_t id = 0; id < all.size(); ++id) {
+            if (parts_->instance_of_surface[parts_->surfaces[id].surface] != no_instance) continue;
+            corners.push_back(all[id]);
+            ids.push_back(id);
+        }
+        parts_->still = TriangleTree::build(corners, parts_->options.kind, threads_);
+        parts_->still.renumber(ids);
+    }
+
+    void measure() {
+        AccelStatistics &sum = parts_->statistics = parts_->still.measure();
+        for (const TriangleTree &tree : parts_->meshes) {
+            const AccelStatistics one = tree.measure();
+            sum.nodes += one.nodes;
+            sum.leaves += one.leaves;
+            sum.empty_leaves += one.empty_leaves;
+            sum.references += one.references;
+            sum.depth = std::max(sum.depth, one.depth);
+            sum.bytes += one.bytes;
+        }
+        sum.triangles = scene_.triangle_count();
+        sum.bytes += parts_->surfaces.size() * sizeof(TriangleSurface);
+    }
+
+    const Scene &scene_;
+    unsigned threads_;
+    std::shared_ptr<SharedParts> parts_;
+};
+
+bool moves_quadrics(const Scene &scene) {
+    const std::vector<uint32_t> &all = scene.quadric_surfaces();
+    return std::any_of(all.begin(), all.end(), [&](uint32_t s) { return is_moving(scene, s); });
 }
 
 } // namespace
@@ -49,31 +126,34 @@ Accel::~Accel() = default;
 
 std::shared_ptr<const Accel> Accel::build(std::shared_ptr<const Scene> scene, const AccelOptions &options) {
     assert(scene);
-    const auto start = std::chrono::steady_clock::now();
+    const Clock::time_point start = Clock::now();
     auto impl = std::make_unique<Impl>();
+    impl->shared = PartsBuilder(*scene, options).build();
+    impl->quadrics = std::make_shared<const QuadricTree>(QuadricTree::from(*scene));
+    impl->instances = InstanceTree::from(*scene, impl->shared->movers, impl->shared->meshes);
     impl->scene = std::move(scene);
-    impl->kind = kind_for(options.kind, impl->scene->triangle_count());
-    const unsigned threads = threads_for(options, impl->scene->triangle_count());
-    TriangleData triangles = TriangleData::from(*impl->scene, threads);
-    if (impl->kind == AccelKind::brute) {
-        impl->tree = single_leaf_tree(triangles.corners);
-    } else if (impl->kind == AccelKind::bvh) {
-        impl->bvh = build_wide_bvh(triangles.corners, threads);
-    } else {
-        impl->tree = build_kd_tree(triangles.corners, threads);
-    }
-    impl->quadrics = QuadricTree::from(*impl->scene);
-    impl->surfaces = std::move(triangles.surfaces);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    impl->statistics = impl->shared->statistics;
+    impl->statistics.bytes += impl->quadrics->nodes.size() * sizeof(BoxNode) +
+                              impl->quadrics->quadrics.size() * sizeof(PlacedQuadric) +
+                              impl->instances.instances.size() * sizeof(Instance);
+    impl->statistics.build_seconds = seconds_since(start);
+    return std::shared_ptr<const Accel>(new Accel(std::move(impl)));
+}
 
-    impl->statistics = impl->kind == AccelKind::bvh ? measure_bvh(impl->bvh, impl->scene->triangle_count())
-                                                    : measure_tree(impl->tree, impl->scene->triangle_count());
-    impl->statistics.build_seconds = elapsed.count();
-    impl->statistics.bytes =
-        impl->tree.nodes.size() * sizeof(KdNode) + impl->tree.leaf_words.size() * sizeof(uint32_t) +
-        impl->bvh.nodes.size() * sizeof(WideNode) + impl->bvh.leaf_words.size() * sizeof(uint32_t) +
-        impl->surfaces.size() * sizeof(TriangleSurface) + impl->quadrics.nodes.size() * sizeof(QuadricNode) +
-        impl->quadrics.quadrics.size() * sizeof(PlacedQuadric);
+std::shared_ptr<const Accel> Accel::update(const std::shared_ptr<const Accel> &previous,
+                                           std::shared_ptr<const Scene> scene) {
+    assert(previous && scene);
+    const Impl &old = previous->impl();
+    if (!scene->is_edit_of(*old.scene)) return build(std::move(scene), old.shared->options);
+    const Clock::time_point start = Clock::now();
+    auto impl = std::make_unique<Impl>();
+    impl->shared = old.shared;
+    impl->quadrics =
+        moves_quadrics(*scene) ? std::make_shared<const QuadricTree>(QuadricTree::from(*scene)) : old.quadrics;
+    impl->instances = InstanceTree::from(*scene, impl->shared->movers, impl->shared->meshes);
+    impl->scene = std::move(scene);
+    impl->statistics = old.statistics;
+    impl->statistics.build_seconds = seconds_since(start);
     return std::shared_ptr<const Accel>(new Accel(std::move(impl)));
 }
 
@@ -81,7 +161,7 @@ const Scene &Accel::scene() const {
     return *impl_->scene;
 }
 AccelKind Accel::kind() const {
-    return impl_->kind;
+    return impl_->shared->still.kind;
 }
 const AccelStatistics &Accel::statistics() const {
     return impl_->statistics;

@@ -1,34 +1,53 @@
 // Puts a scene's quadrics into a hierarchy of boxes.
 #include "accel/quadric_tree.hpp"
 
-#include "accel/bvh/binary_bvh.hpp"
-#include "accel/triangle_data.hpp"
+#include "math/rigid.hpp"
 #include "scene/quadric_shape.hpp"
 
 namespace glint {
 
 namespace {
 
-PlacedQuadric placed(const Quadric &q, const Box &bounds, uint32_t id) {
-    return {q.a, q.b, q.c, q.d, q.e, q.f, q.g, q.h, q.j, q.k, bounds, id};
+/// A symmetric matrix, a vector and a number: the quadric is p.Mp + 2 v.p + k.
+struct Form {
+    glm::dvec3 rows[3];
+    glm::dvec3 v;
+    double k;
+};
+
+/// What the form becomes for points of the world: with p = R^T (w - t) it is w.Nw + 2 (R v - N t).w + ..., N = R M R^T.
+Form moved(const Form &form, const RigidTransform &pose) {
+    const glm::dvec3 axes[3] = {glm::dvec3(pose.x), glm::dvec3(pose.y), glm::dvec3(pose.z)};
+    const glm::dvec3 t(pose.translation);
+    const auto dot = [](const glm::dvec3 &a, const glm::dvec3 &b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; };
+    const auto turned = [&](const glm::dvec3 &a) { return (axes[0] * a.x + axes[1] * a.y) + axes[2] * a.z; };
+    const glm::dvec3 half[3] = {turned(form.rows[0]), turned(form.rows[1]), turned(form.rows[2])}; // the rows of M R^T
+    Form result;
+    for (int i = 0; i < 3; ++i) {
+        result.rows[i] = (half[0] * axes[0][i] + half[1] * axes[1][i]) + half[2] * axes[2][i];
+    }
+    const glm::dvec3 of_t(dot(result.rows[0], t), dot(result.rows[1], t), dot(result.rows[2], t));
+    const glm::dvec3 v = turned(form.v);
+    result.v = v - of_t;
+    result.k = (form.k - 2.0 * dot(v, t)) + dot(of_t, t);
+    return result;
 }
 
-/// Puts them behind the others, and a hierarchy over them.
-void add_bounded(const std::vector<PlacedQuadric> &bounded, QuadricTree &tree) {
-    // To the builder, which looks at bounds and their centres alone, a box is as good as a triangle across it.
-    std::vector<TriangleCorners> boxes;
-    for (const PlacedQuadric &q : bounded) boxes.push_back({q.bounds.lo, q.bounds.hi, q.bounds.lo});
-    const BinaryBvh bvh = build_binary_bvh(boxes, 1);
-    // Not all of the builder's places for nodes are used: number anew, so that none is empty.
-    std::vector<uint32_t> built{0};
-    for (uint32_t i = 0; i < built.size(); ++i) {
-        const BinaryNode &node = bvh.nodes[built[i]];
-        const Box box{{node.lo[0], node.lo[1], node.lo[2]}, {node.hi[0], node.hi[1], node.hi[2]}};
-        const auto next = static_cast<uint32_t>(built.size());
-        tree.nodes.push_back({box, node.is_leaf() ? tree.unbounded_count + node.first : next, node.count});
-        if (!node.is_leaf()) built.insert(built.end(), {node.first, node.first + 1});
-    }
-    for (const uint32_t i : bvh.triangle_ids) tree.quadrics.push_back(bounded[i]);
+/// With room for what rounding the pose moves; the identity's stay as they are.
+Box box_of(const QuadricShape &shape, const RigidTransform &pose) {
+    if (!shape.is_bounded || pose == RigidTransform{}) return shape.bounds;
+    Box box = box_to_world(pose, shape.bounds);
+    const float room = 0x1p-18f * (max_abs(shape.bounds.lo) + max_abs(shape.bounds.hi) + max_abs(pose.translation));
+    box.lo -= room;
+    box.hi += room;
+    return box;
+}
+
+PlacedQuadric placed(const Quadric &q, const Box &bounds, const RigidTransform &pose, uint32_t id) {
+    const Form own{{{q.a, q.d, q.f}, {q.d, q.b, q.e}, {q.f, q.e, q.c}}, {q.g, q.h, q.j}, q.k};
+    const Form m = moved(own, pose);
+    return {m.rows[0].x, m.rows[1].y, m.rows[2].z, m.rows[0].y, m.rows[1].z, m.rows[0].z,
+            m.v.x,       m.v.y,       m.v.z,       m.k,         bounds,      id};
 }
 
 } // namespace
@@ -36,15 +55,24 @@ void add_bounded(const std::vector<PlacedQuadric> &bounded, QuadricTree &tree) {
 QuadricTree QuadricTree::from(const Scene &scene) {
     QuadricTree tree;
     std::vector<PlacedQuadric> bounded;
+    std::vector<Box> boxes;
     uint32_t id = scene.triangle_count();
     for (const uint32_t surface : scene.quadric_surfaces()) {
         const Quadric &quadric = *scene.surface_quadric(surface);
         const QuadricShape shape = quadric_shape(quadric);
-        (shape.is_bounded ? bounded : tree.quadrics).push_back(placed(quadric, shape.bounds, id++));
-        if (shape.is_bounded) tree.bounds.extend(shape.bounds);
+        const SurfaceRef ref = scene.surface(surface);
+        const RigidTransform pose =
+            ref.is_light ? RigidTransform{} : scene.objects()[ref.index].pose.value_or(RigidTransform{});
+        const Box box = box_of(shape, pose);
+        (shape.is_bounded ? bounded : tree.quadrics).push_back(placed(quadric, box, pose, id++));
+        if (!shape.is_bounded) continue;
+        tree.bounds.extend(box);
+        boxes.push_back(box);
     }
     tree.unbounded_count = static_cast<uint32_t>(tree.quadrics.size());
-    if (!bounded.empty()) add_bounded(bounded, tree);
+    BoxTree over = build_box_tree(boxes);
+    for (const uint32_t i : over.order) tree.quadrics.push_back(bounded[i]);
+    tree.nodes = std::move(over.nodes);
     tree.places.resize(tree.quadrics.size());
     for (uint32_t i = 0; i < tree.quadrics.size(); ++i) tree.places[tree.quadrics[i].id - scene.triangle_count()] = i;
     return tree;

@@ -6,6 +6,7 @@
 
 #include <glint/scene.hpp>
 
+#include "accel/box_tree.hpp"
 #include "math/box.hpp"
 
 namespace glint {
@@ -19,24 +20,14 @@ struct PlacedQuadric {
     uint32_t id; ///< among all that rays can hit: behind the scene's triangles
 };
 
-/// Inner nodes have two children, side by side.
-struct QuadricNode {
-    Box bounds;
-    uint32_t first; ///< of a leaf its first quadric; else the first child
-    uint32_t count; ///< quadrics of a leaf; 0 for inner nodes
-};
-
-/// Leaves lie at most this deep.
-inline constexpr uint32_t max_quadric_tree_depth = 64;
-
 struct QuadricTree {
     std::vector<PlacedQuadric> quadrics; ///< the unbounded ones, then leaf after leaf
     uint32_t unbounded_count = 0;
-    std::vector<uint32_t> places;   ///< where in `quadrics` the scene's quadrics are, in the scene's order
-    std::vector<QuadricNode> nodes; ///< node 0 is the root; empty where no quadric has bounds
-    Box bounds;                     ///< of the bounded ones
+    std::vector<uint32_t> places; ///< where in `quadrics` the scene's quadrics are, in the scene's order
+    std::vector<BoxNode> nodes;   ///< over those behind the unbounded ones, in their order; see box_tree.hpp
+    Box bounds;                   ///< of the bounded ones
 
-    /// Of all quadrics of the scene.
+    /// Of all quadrics of the scene, where they stand.
     [[nodiscard]] static QuadricTree from(const Scene &scene);
 };
 

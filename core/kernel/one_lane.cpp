@@ -21,9 +21,9 @@ void write(const glm::vec3 &v, float to[3]) {
 
 } // namespace
 
-void detail(const SurfaceShading &surface, uint32_t triangle_id, const float point[3], const float dir[3],
+void detail(const KernelScene &scene, uint32_t surface, uint32_t triangle_id, const float point[3], const float dir[3],
             const float facet[3], float normal[3], float tint[3]) {
-    const SurfaceDetail found = surface_detail(surface, triangle_id, vec(point), vec(dir), vec(facet));
+    const SurfaceDetail found = surface_detail(scene, surface, triangle_id, vec(point), vec(dir), vec(facet));
     write(found.normal, normal);
     write(found.tint, tint);
 }

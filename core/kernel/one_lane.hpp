@@ -8,7 +8,7 @@
 namespace glint::one_lane {
 
 /// surface_detail(): at `point`, for a ray along `dir`; writes the normal for shading, and the tint.
-void detail(const SurfaceShading &surface, uint32_t triangle_id, const float point[3], const float dir[3],
+void detail(const KernelScene &scene, uint32_t surface, uint32_t triangle_id, const float point[3], const float dir[3],
             const float facet[3], float normal[3], float tint[3]);
 
 /// light_place(): where light comes from to `point`.

@@ -8,14 +8,14 @@
 #include <glm/vec3.hpp>
 
 #include "accel/quadric_tree.hpp"
-#include "kernel/clip.hpp"
+#include "kernel/walk_boxes.hpp"
 
 namespace glint {
 
 /// A QuadricTree as the kernels see it.
 struct QuadricView {
     const PlacedQuadric *all;
-    const QuadricNode *nodes; ///< over those behind the unbounded ones, if there are any
+    const BoxNode *nodes; ///< over those behind the unbounded ones, if there are any
     uint32_t count, unbounded_count;
     const uint32_t *places; ///< in `all`, by number of quadric in the scene
 
@@ -83,22 +83,8 @@ void walk_quadrics(const QuadricView &quadrics, const PreparedRay &ray, const fl
         if (visit(quadrics.all[i])) return;
     }
     if (quadrics.count == quadrics.unbounded_count) return;
-    uint32_t stack[max_quadric_tree_depth + 1];
-    int pending = 0;
-    stack[pending++] = 0;
-    while (pending > 0) {
-        const QuadricNode &node = quadrics.nodes[stack[--pending]];
-        const Interval part = clip_to_box(ray, node.bounds, t_max);
-        if (part.t_near > part.t_far) continue;
-        if (node.count == 0) {
-            stack[pending++] = node.first + 1;
-            stack[pending++] = node.first;
-            continue;
-        }
-        for (uint32_t i = node.first; i < node.first + node.count; ++i) {
-            if (visit(quadrics.all[i])) return;
-        }
-    }
+    walk_boxes(quadrics.nodes, ray, t_max,
+               [&](uint32_t i) { return visit(quadrics.all[quadrics.unbounded_count + i]); });
 }
 
 } // namespace glint

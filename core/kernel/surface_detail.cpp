@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "math/vec.hpp"
+#include "math/rigid.hpp"
 
 namespace glint {
 
@@ -76,9 +76,7 @@ Color texel_at(const Texture &texture, float u, float v) {
     return {top.x + (bottom.x - top.x) * lower, top.y + (bottom.y - top.y) * lower, top.z + (bottom.z - top.z) * lower};
 }
 
-} // namespace
-
-SurfaceDetail surface_detail(const SurfaceShading &surface, uint32_t triangle_id, const glm::vec3 &point,
+SurfaceDetail detail_of_mesh(const SurfaceShading &surface, uint32_t triangle_id, const glm::vec3 &point,
                              const glm::vec3 &dir, const glm::vec3 &facet) {
     SurfaceDetail result{facet, Color(1.0f)};
     if (!surface.details) return result;
@@ -92,6 +90,20 @@ SurfaceDetail surface_detail(const SurfaceShading &surface, uint32_t triangle_id
                                (t[0].y * w.a + t[1].y * w.b) + t[2].y * w.c);
     }
     return result;
+}
+
+} // namespace
+
+SurfaceDetail surface_detail(const KernelScene &scene, uint32_t surface, uint32_t triangle_id, const glm::vec3 &point,
+                             const glm::vec3 &dir, const glm::vec3 &facet) {
+    const SurfaceShading &shading = scene.surfaces[surface];
+    const Instance *const instance = scene.geometry.instances.by_surface(surface);
+    if (!instance) return detail_of_mesh(shading, triangle_id, point, dir, facet);
+    const RigidTransform &pose = instance->pose;
+    SurfaceDetail detail = detail_of_mesh(shading, triangle_id, point_to_object(pose, point),
+                                          vector_to_object(pose, dir), vector_to_object(pose, facet));
+    detail.normal = vector_to_world(pose, detail.normal);
+    return detail;
 }
 
 } // namespace glint

@@ -13,8 +13,8 @@ struct SurfaceDetail {
 };
 
 /// At a point that a ray of direction `dir` has hit; `facet` is the triangle's own normal on the viewer's side. The
-/// surface has details or a texture.
-[[nodiscard]] SurfaceDetail surface_detail(const SurfaceShading &surface, uint32_t triangle_id, const glm::vec3 &point,
-                                           const glm::vec3 &dir, const glm::vec3 &facet);
+/// surface has details or a texture. Of one that moves, what its triangles have is looked up in the object's space.
+[[nodiscard]] SurfaceDetail surface_detail(const KernelScene &scene, uint32_t surface, uint32_t triangle_id,
+                                           const glm::vec3 &point, const glm::vec3 &dir, const glm::vec3 &facet);
 
 } // namespace glint

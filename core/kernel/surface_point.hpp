@@ -39,9 +39,12 @@ inline SurfacePoint surface_point(const KernelScene &scene, const PreparedRay &r
     point.position = {ray.org.x + way.x, ray.org.y + way.y, ray.org.z + way.z};
     point.scale = larger(larger(max_abs(point.position), max_abs(way)), scene.offset_floor);
     const bool is_quadric = hit.triangle_id >= scene.geometry.triangle_count;
+    const Instance *const instance = scene.geometry.instances.by_surface(triangle.surface);
+    if (instance) point.scale = larger(point.scale, instance->least_length) * instance->length_factor;
     const glm::vec3 normal =
         is_quadric ? quadric_normal(scene.geometry.quadrics.by_number(hit.triangle_id - scene.geometry.triangle_count),
                                     point.position, ray.dir)
+        : instance ? vector_to_world(instance->pose, triangle.normal)
                    : triangle.normal;
     point.facet = dot(normal, ray.dir) > 0.0f ? -normal : normal;
     point.normal = point.facet;
@@ -51,7 +54,7 @@ inline SurfacePoint surface_point(const KernelScene &scene, const PreparedRay &r
     point.left = is_quadric ? no_triangle : hit.triangle_id;
     if (!is_quadric && point.surface->details) {
         const SurfaceDetail detail =
-            surface_detail(*point.surface, hit.triangle_id, point.position, ray.dir, point.facet);
+            surface_detail(scene, point.surface_number, hit.triangle_id, point.position, ray.dir, point.facet);
         point.normal = detail.normal;
         point.tint = detail.tint;
     }

@@ -8,6 +8,7 @@
 #include "accel/bvh/wide_bvh.hpp"
 #include "accel/kd_tree.hpp"
 #include "kernel/clip.hpp"
+#include "kernel/instance.hpp"
 #include "kernel/intersect.hpp"
 #include "kernel/quadric.hpp"
 
@@ -19,9 +20,21 @@ struct GeometryView {
     const WideNode *wide_nodes;      ///< of a bounding volume hierarchy, or nullptr
     const uint32_t *leaf_words;      ///< see leaf_triangles.hpp
     const TriangleSurface *surfaces; ///< by triangle_id
-    uint32_t triangle_count;
+    uint32_t triangle_count;         ///< those of instances included, which no tree here holds
     QuadricView quadrics;
+    InstanceView instances;
     Box bounds; ///< of all that has bounds
+
+    /// Of what the instance is in its own space, as far as rays through its triangles ask.
+    [[nodiscard]] static GeometryView inside(const Instance &instance) {
+        GeometryView view{};
+        view.nodes = instance.nodes;
+        view.wide_nodes = instance.wide_nodes;
+        view.leaf_words = instance.leaf_words;
+        view.triangle_count = instance.triangle_count;
+        view.bounds = instance.own_bounds;
+        return view;
+    }
 };
 
 struct Hit {
@@ -113,12 +126,22 @@ void walk_bvh(const GeometryView &geometry, const PreparedRay &ray, const float 
 /// Calls visit(leaf) for every leaf that the ray may reach, in either structure.
 template <typename Visit>
 void walk(const GeometryView &geometry, const PreparedRay &ray, Interval part, const float &t_max, Visit &&visit) {
-    if (geometry.triangle_count == 0) return;
     if (geometry.wide_nodes) {
         walk_bvh(geometry, ray, t_max, visit);
-    } else {
+    } else if (geometry.nodes) {
         walk_tree(geometry, ray, part, t_max, visit);
     }
+}
+
+/// Calls visit(geometry, ray, first) for what moves and the ray may meet: with its own tree, the ray in its own space,
+/// and the number that its triangle_ids count from. Until a call returns true.
+template <typename Visit>
+void walk_insides(const GeometryView &geometry, const PreparedRay &ray, const float &t_max, Visit &&visit) {
+    walk_instances(geometry.instances, ray, t_max, [&](const Instance &instance) {
+        const GeometryView own = GeometryView::inside(instance);
+        return visit(own, PreparedRay(ray_to_object(instance.pose, {ray.org, ray.dir}), own.bounds),
+                     instance.first_triangle);
+    });
 }
 
 /// The nearest triangle or quadric with 0 < t <= t_max; of several at the same t, the one with the lowest id. A flat
@@ -127,17 +150,22 @@ void walk(const GeometryView &geometry, const PreparedRay &ray, Interval part, c
 inline Hit closest_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max,
                        uint32_t left_triangle = no_triangle) {
     Hit best{t_max, no_triangle};
-    const Interval part = clip_to_box(ray, geometry.bounds, t_max);
     const auto consider = [&](float t, uint32_t id) {
         if (t > 0.0f && (t < best.t || (t == best.t && id < best.triangle_id))) best = {t, id};
     };
-    walk(geometry, ray, part, best.t, [&](const LeafTriangles &leaf) {
-        for (uint32_t i = 0; i < leaf.count(); ++i) {
-            const uint32_t id = leaf.triangle_id(i);
-            if (id != left_triangle) consider(intersect(ray, leaf.corners(i)), id);
-        }
+    const auto consider_tree = [&](const GeometryView &tree, const PreparedRay &along, uint32_t first) {
+        const Interval part = clip_to_box(along, tree.bounds, best.t);
+        walk(tree, along, part, best.t, [&](const LeafTriangles &leaf) {
+            for (uint32_t i = 0; i < leaf.count(); ++i) {
+                const uint32_t id = first + leaf.triangle_id(i);
+                if (id != left_triangle) consider(intersect(along, leaf.corners(i)), id);
+            }
+            return false;
+        });
         return false;
-    });
+    };
+    consider_tree(geometry, ray, 0);
+    walk_insides(geometry, ray, best.t, consider_tree);
     walk_quadrics(geometry.quadrics, ray, best.t, [&](const PlacedQuadric &quadric) {
         consider(quadric_distance(quadric, ray), quadric.id);
         return false;
@@ -154,13 +182,18 @@ Hit next_hit(const GeometryView &geometry, const PreparedRay &ray, const Hit &la
         const bool is_behind = t > last.t || (t == last.t && last.triangle_id != no_triangle && id > last.triangle_id);
         if (is_behind && t > 0.0f && (t < best.t || (t == best.t && id < best.triangle_id))) best = {t, id};
     };
-    walk(geometry, ray, {0.0f, search_end(t_max)}, best.t, [&](const LeafTriangles &leaf) {
-        for (uint32_t i = 0; i < leaf.count(); ++i) {
-            const uint32_t id = leaf.triangle_id(i);
-            if (can_block(id)) consider(intersect(ray, leaf.corners(i)), id);
-        }
+    const auto consider_tree = [&](const GeometryView &tree, const PreparedRay &along, uint32_t first) {
+        walk(tree, along, {0.0f, search_end(best.t)}, best.t, [&](const LeafTriangles &leaf) {
+            for (uint32_t i = 0; i < leaf.count(); ++i) {
+                const uint32_t id = first + leaf.triangle_id(i);
+                if (can_block(id)) consider(intersect(along, leaf.corners(i)), id);
+            }
+            return false;
+        });
         return false;
-    });
+    };
+    consider_tree(geometry, ray, 0);
+    walk_insides(geometry, ray, best.t, consider_tree);
     walk_quadrics(geometry.quadrics, ray, best.t, [&](const PlacedQuadric &quadric) {
         if (can_block(quadric.id)) consider(quadric_distance(quadric, ray, last.t), quadric.id);
         return false;
@@ -177,12 +210,17 @@ bool any_hit(const GeometryView &geometry, const PreparedRay &ray, float t_max, 
         blocked = t > 0.0f && t < t_max;
         return blocked;
     };
-    walk(geometry, ray, {0.0f, search_end(t_max)}, t_max, [&](const LeafTriangles &leaf) {
-        for (uint32_t i = 0; i < leaf.count() && !blocked; ++i) {
-            if (can_block(leaf.triangle_id(i))) consider(intersect(ray, leaf.corners(i)));
-        }
+    const auto consider_tree = [&](const GeometryView &tree, const PreparedRay &along, uint32_t first) {
+        walk(tree, along, {0.0f, search_end(t_max)}, t_max, [&](const LeafTriangles &leaf) {
+            for (uint32_t i = 0; i < leaf.count() && !blocked; ++i) {
+                if (can_block(first + leaf.triangle_id(i))) consider(intersect(along, leaf.corners(i)));
+            }
+            return blocked;
+        });
         return blocked;
-    });
+    };
+    consider_tree(geometry, ray, 0);
+    if (!blocked) walk_insides(geometry, ray, t_max, consider_tree);
     if (blocked) return true;
     walk_quadrics(geometry.quadrics, ray, t_max, [&](const PlacedQuadric &quadric) {
         return can_block(quadric.id) && consider(quadric_distance(quadric, ray));

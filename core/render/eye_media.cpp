@@ -3,6 +3,7 @@
 
 #include "kernel/intersect.hpp"
 #include "math/box.hpp"
+#include "math/rigid.hpp"
 
 namespace glint {
 
@@ -51,7 +52,9 @@ Media media_around(const Scene &scene, const Point &eye) {
         const SurfaceRef ref = scene.surface(s);
         if (ref.is_light || !(scene.objects()[ref.index].material.transmission > 0.0f)) continue;
         const Quadric *const quadric = scene.surface_quadric(s);
-        if (!(quadric ? holds(*quadric, eye) : holds(*scene.surface_mesh(s), eye))) continue;
+        const std::optional<RigidTransform> &pose = scene.objects()[ref.index].pose;
+        const Point own_eye = pose ? point_to_object(*pose, eye) : eye;
+        if (!(quadric ? holds(*quadric, own_eye) : holds(*scene.surface_mesh(s), own_eye))) continue;
         for (int i = Media::most - 1; i > 0; --i) media.inside[i] = media.inside[i - 1];
         media.inside[0] = s;
     }

@@ -9,18 +9,22 @@ namespace glint {
 /// Valid while the Accel lives.
 [[nodiscard]] inline GeometryView view_of(const Accel &accel) {
     const Accel::Impl &impl = accel.impl();
-    const bool is_bvh = impl.kind == AccelKind::bvh;
-    Box bounds = is_bvh ? impl.bvh.bounds : impl.tree.bounds;
-    bounds.extend(impl.quadrics.bounds);
+    const SharedParts &parts = *impl.shared;
+    const QuadricTree &quadrics = *impl.quadrics;
+    const InstanceTree &instances = impl.instances;
+    Box bounds = parts.still.bounds();
+    bounds.extend(quadrics.bounds);
+    bounds.extend(instances.bounds);
     if (bounds.empty()) bounds.extend(glm::vec3(0.0f)); // of planes and the like alone
-    return {is_bvh ? nullptr : impl.tree.nodes.data(),
-            is_bvh ? impl.bvh.nodes.data() : nullptr,
-            is_bvh ? impl.bvh.leaf_words.data() : impl.tree.leaf_words.data(),
-            impl.surfaces.data(),
+    return {parts.still.nodes(),
+            parts.still.wide_nodes(),
+            parts.still.leaf_words(),
+            parts.surfaces.data(),
             impl.scene->triangle_count(),
-            {impl.quadrics.quadrics.data(), impl.quadrics.nodes.data(),
-             static_cast<uint32_t>(impl.quadrics.quadrics.size()), impl.quadrics.unbounded_count,
-             impl.quadrics.places.data()},
+            {quadrics.quadrics.data(), quadrics.nodes.data(), static_cast<uint32_t>(quadrics.quadrics.size()),
+             quadrics.unbounded_count, quadrics.places.data()},
+            {instances.instances.data(), instances.over.order.data(), instances.over.nodes.data(),
+             parts.instance_of_surface.data(), static_cast<uint32_t>(instances.instances.size())},
             bounds};
 }
 

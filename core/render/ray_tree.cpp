@@ -161,8 +161,8 @@ Result<RayTree> trace_ray_tree(const Accel &accel, const RenderOptions &options,
         append(problem, " x ", height_px);
         return Error(ErrorCode::bad_input, std::move(problem) + " pixels");
     }
-    const ShadingTables tables(accel);
-    const KernelScene kernel_scene = tables.kernel_scene();
+    const ShadingTables tables(accel.scene());
+    const KernelScene kernel_scene = tables.kernel_scene(accel);
     Result<KernelFrame> frame = kernel_frame(accel.scene(), kernel_scene, options, width_px, height_px);
     if (!frame) return std::move(frame).error();
 

@@ -27,7 +27,7 @@ void RenderControl::reset() {
 struct Renderer::Impl {
     Impl(std::shared_ptr<const Accel> accel_, const RendererOptions &options)
         : accel(std::move(accel_)),
-          tables(*accel),
+          tables(accel->scene()),
           kernel(kernel_for(options.isa)),
           pool(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
           workers(pool.threads()) {}
@@ -50,6 +50,13 @@ Renderer::Renderer(std::shared_ptr<const Accel> accel, const RendererOptions &op
     : impl_(std::make_unique<Impl>(std::move(accel), options)) {}
 Renderer::~Renderer() = default;
 
+void Renderer::set_accel(std::shared_ptr<const Accel> accel) {
+    const std::lock_guard lock(impl_->one_render);
+    const Scene &scene = accel->scene();
+    if (!scene.is_edit_of(impl_->accel->scene())) impl_->tables = ShadingTables(scene);
+    impl_->accel = std::move(accel);
+}
+
 unsigned Renderer::threads() const {
     return impl_->pool.threads();
 }
@@ -63,7 +70,7 @@ Isa Renderer::isa() const {
 Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptions &options, RenderControl *control) {
     const std::lock_guard lock(impl_->one_render);
     const auto start = std::chrono::steady_clock::now();
-    const KernelScene kernel_scene = impl_->tables.kernel_scene();
+    const KernelScene kernel_scene = impl_->tables.kernel_scene(*impl_->accel);
     Result<KernelFrame> asked =
         kernel_frame(impl_->accel->scene(), kernel_scene, options, target.width_px(), target.height_px());
     if (!asked) return std::move(asked).error();

@@ -49,8 +49,7 @@ std::vector<TriangleDetail> details_of(const Mesh &mesh) {
 
 } // namespace
 
-ShadingTables::ShadingTables(const Accel &accel) : accel_(accel) {
-    const Scene &scene = accel.scene();
+ShadingTables::ShadingTables(const Scene &scene) {
     uint32_t first_triangle = 0, first_quadric = scene.triangle_count();
     for (uint32_t s = 0; s < scene.surface_count(); ++s) {
         const SurfaceRef ref = scene.surface(s);
@@ -66,15 +65,15 @@ ShadingTables::ShadingTables(const Accel &accel) : accel_(accel) {
             shading.emission = light.color * light.intensity;
             surfaces_.push_back(shading);
         } else {
-            add_object(scene.objects()[ref.index], first_triangle);
+            add_object(scene.objects()[ref.index], scene.ambient(), first_triangle);
         }
         first_triangle += triangles;
         first_quadric += quadrics;
     }
 }
 
-void ShadingTables::add_object(const Object &object, uint32_t first_triangle) {
-    SurfaceShading shading = shading_of(object.material, accel_.scene().ambient());
+void ShadingTables::add_object(const Object &object, float ambient, uint32_t first_triangle) {
+    SurfaceShading shading = shading_of(object.material, ambient);
     shading.first_triangle = first_triangle;
     shading.is_smooth = object.mesh && !object.mesh->normal_corners.empty();
     if (!object.mesh || object.mesh->texcoord_corners.empty()) shading.texture = nullptr;
@@ -85,10 +84,10 @@ void ShadingTables::add_object(const Object &object, uint32_t first_triangle) {
     surfaces_.push_back(shading);
 }
 
-KernelScene ShadingTables::kernel_scene() const {
-    const Scene &of = accel_.scene();
+KernelScene ShadingTables::kernel_scene(const Accel &accel) const {
+    const Scene &of = accel.scene();
     KernelScene scene{};
-    scene.geometry = view_of(accel_);
+    scene.geometry = view_of(accel);
     scene.surfaces = surfaces_.data();
     scene.lights = lights_.entries().data();
     scene.light_count = static_cast<uint32_t>(lights_.entries().size());

@@ -10,18 +10,19 @@
 
 namespace glint {
 
-/// Owns what a KernelScene points to, except for the geometry, which the Accel owns.
+/// Owns what a KernelScene points to, except for the geometry, which the Accel owns. Knows nothing of where objects
+/// stand.
 class ShadingTables {
 public:
-    explicit ShadingTables(const Accel &accel);
+    explicit ShadingTables(const Scene &scene);
 
-    /// Valid while this object and the Accel live.
-    [[nodiscard]] KernelScene kernel_scene() const;
+    /// Of the scene that this was made of, or one that differs from it in where objects stand. Valid while this object
+    /// and the Accel live.
+    [[nodiscard]] KernelScene kernel_scene(const Accel &accel) const;
 
 private:
-    void add_object(const Object &object, uint32_t first_triangle);
+    void add_object(const Object &object, float ambient, uint32_t first_triangle);
 
-    const Accel &accel_;
     std::vector<SurfaceShading> surfaces_;
     std::vector<std::vector<TriangleDetail>> details_;
     LightTables lights_;

@@ -1,18 +1,9 @@
 // Whether a camera can see.
 #include "scene/camera_check.hpp"
 
-#include <cmath>
+#include "scene/scene_check.hpp"
 
 namespace glint {
-
-namespace {
-
-bool is_place(const glm::vec3 &p) {
-    // Written so that NaN fails.
-    return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate && std::abs(p.z) <= max_coordinate;
-}
-
-} // namespace
 
 std::optional<std::string> camera_problem(const Camera &camera) {
     if (!is_place(camera.eye)) return "the camera's eye is not a finite place within 1e12 of the origin";

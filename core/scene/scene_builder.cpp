@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scene/animation_check.hpp"
 #include "scene/camera_check.hpp"
 #include "scene/quadric_shape.hpp"
 #include "scene/scene_check.hpp"
@@ -17,13 +18,6 @@ Point position_of(const Light &light) {
     if (light.position) return *light.position;
     if (light.mesh) return area_weighted_centroid(*light.mesh);
     return light.quadric ? quadric_shape(*light.quadric).centre : Point(0.0f);
-}
-
-/// "object 3 'floor'": how a complaint names a surface.
-std::string named(const char *kind, size_t index, const std::string &name) {
-    std::string text = std::string(kind) + ' ' + std::to_string(index);
-    if (!name.empty()) text += " '" + name + '\'';
-    return text;
 }
 
 } // namespace
@@ -49,6 +43,9 @@ SceneBuilder &SceneBuilder::set_ambient(float ambient) {
 SceneBuilder &SceneBuilder::set_optics(const OpticsSettings &optics) {
     return optics_ = optics, *this;
 }
+SceneBuilder &SceneBuilder::set_animation(std::shared_ptr<const Animation> animation) {
+    return animation_ = std::move(animation), *this;
+}
 
 Result<std::shared_ptr<const Scene>> SceneBuilder::build() {
     std::shared_ptr<Scene> scene(new Scene);
@@ -59,19 +56,21 @@ Result<std::shared_ptr<const Scene>> SceneBuilder::build() {
     scene->background_ = background_;
     scene->ambient_ = ambient_;
     scene->optics_ = optics_;
+    scene->animation_ = std::move(animation_);
     *this = SceneBuilder(limits_);
 
     SceneChecker check;
     if (scene->objects_.empty()) check.complain("the scene has no object");
     for (size_t i = 0; i < scene->objects_.size(); ++i) {
-        check.object(scene->objects_[i], named("object", i, scene->objects_[i].name));
+        check.object(scene->objects_[i], surface_name("object", i, scene->objects_[i].name));
     }
     for (size_t i = 0; i < scene->lights_.size(); ++i) {
-        check.light(scene->lights_[i], named("light", i, scene->lights_[i].name));
+        check.light(scene->lights_[i], surface_name("light", i, scene->lights_[i].name));
     }
     check.color(scene->background_, max_intensity, "background");
     check.number(scene->ambient_, 0.0f, max_intensity, "ambient");
     if (const auto problem = camera_problem(scene->camera_)) check.complain(*problem);
+    if (scene->animation_) check_animation(*scene->animation_, scene->objects_, check);
     const PictureSettings &picture = scene->picture_;
     check.picture(picture);
     if (!check.ok()) return Error(ErrorCode::bad_input, check.take_diagnostics());
@@ -94,6 +93,7 @@ Result<std::shared_ptr<const Scene>> SceneBuilder::build() {
     if (!check.ok()) return Error(ErrorCode::limit_exceeded, check.take_diagnostics());
 
     for (const Light &light : scene->lights_) scene->light_positions_.push_back(position_of(light));
+    scene->origin_ = std::make_shared<char>();
     scene->triangle_count_ = static_cast<uint32_t>(triangles);
     scene->skipped_triangles_ = static_cast<uint32_t>(std::min<uint64_t>(check.skipped_triangles(), UINT32_MAX));
     return std::shared_ptr<const Scene>(std::move(scene));

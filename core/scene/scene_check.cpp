@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/quadric_shape.hpp"
+#include "scene/rigid_check.hpp"
 #include "scene/triangle_area.hpp"
 
 namespace glint {
@@ -13,16 +14,22 @@ namespace {
 
 constexpr float pi = 3.14159274f;
 
-bool is_place(const glm::vec3 &p) {
-    // Written so that NaN fails.
-    return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate && std::abs(p.z) <= max_coordinate;
-}
-
 bool is_zero(const glm::vec3 &v) {
     return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f;
 }
 
 } // namespace
+
+bool is_place(const glm::vec3 &p) {
+    // Written so that NaN fails.
+    return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate && std::abs(p.z) <= max_coordinate;
+}
+
+std::string surface_name(const char *kind, size_t index, const std::string &name) {
+    std::string text = std::string(kind) + ' ' + std::to_string(index);
+    if (!name.empty()) text += " '" + name + '\'';
+    return text;
+}
 
 void SceneChecker::complain(std::string message) {
     Diagnostic diagnostic;
@@ -77,6 +84,9 @@ void SceneChecker::texture(const Texture &texture, const std::string &owner) {
 
 void SceneChecker::object(Object &object, const std::string &owner) {
     material(object.material, owner);
+    if (object.pose) {
+        if (const auto problem = straighten(*object.pose)) complain(owner + ": " + *problem);
+    }
     if (!object.quadric) {
         object.mesh = mesh(object.mesh, owner);
         return;

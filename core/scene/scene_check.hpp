@@ -10,6 +10,11 @@
 
 namespace glint {
 
+/// Whether it is a finite place within max_coordinate of the origin.
+[[nodiscard]] bool is_place(const glm::vec3 &p);
+/// "object 3 'floor'": how a complaint names a surface.
+[[nodiscard]] std::string surface_name(const char *kind, size_t index, const std::string &name);
+
 /// Everything that a scene's parts must fulfil. `owner` is what complaints call the part.
 class SceneChecker {
 public:

@@ -51,6 +51,15 @@ std::optional<Camera> through_window(const SceneDraft &draft, Problems &problems
     return checked(camera, window.place, problems);
 }
 
+/// At distance 1.
+WindowSize window_of(const SceneDraft &draft) {
+    if (!draft.fov) return draft.window_size ? draft.window_size->value : WindowSize{};
+    constexpr double pi = 3.141592653589793;
+    const double height = 2.0 * std::tan(0.5 * double(draft.fov->value) * pi / 180.0);
+    const double aspect = double(draft.picture.width_px) / double(draft.picture.height_px);
+    return {static_cast<float>(height * aspect), static_cast<float>(height)};
+}
+
 std::optional<Camera> looking_at(const SceneDraft &draft, Problems &problems) {
     const Point eye = draft.eye->value, target = draft.target->value;
     const Vector up = draft.up ? draft.up->value : Vector(0.0f, 1.0f, 0.0f);
@@ -80,18 +89,18 @@ std::optional<Camera> looking_at(const SceneDraft &draft, Problems &problems) {
                        "give a line 'up x y z' across the view");
         return std::nullopt;
     }
-    WindowSize window = draft.window_size ? draft.window_size->value : WindowSize{};
-    if (draft.fov) {
-        constexpr double pi = 3.141592653589793;
-        const double height = 2.0 * std::tan(0.5 * double(draft.fov->value) * pi / 180.0);
-        const double aspect = double(draft.picture.width_px) / double(draft.picture.height_px);
-        window = {static_cast<float>(height * aspect), static_cast<float>(height)};
-    }
+    const WindowSize window = window_of(draft);
     if (std::isnan(window.width) || std::isnan(window.height)) return std::nullopt;
     return checked(Camera::look_at(eye, target, up, window.width, window.height), draft.target->place, problems);
 }
 
 } // namespace
+
+EyeMotion::View view_of(const SceneDraft &draft) {
+    const WindowSize window = window_of(draft);
+    const Vector up = draft.up ? draft.up->value : Vector(0.0f, 1.0f, 0.0f);
+    return {draft.target->value, up, window.width, window.height};
+}
 
 std::optional<Camera> camera_of(const SceneDraft &draft, Problems &problems) {
     if (!draft.eye) return std::nullopt;

@@ -6,7 +6,8 @@
 //   dialects  which dialects have it
 //   evidence  which dialects a file with such a line belongs to; `nothing` where every dialect may have the line
 //   handler   what it does
-//   role      whether it adds a light or an object; all else is a setting, which a file may give once
+//   role      whether it adds a light, an object or a step of a motion; all else is a setting, which a file may give
+//   once
 // Where a line fits several rows, the evidence is for any of their dialects. Detection (detect.cpp) looks at nothing
 // else.
 //
@@ -34,7 +35,8 @@ constexpr DialectSet nothing;
 /// raycife is path2005 with one more form of `light`.
 constexpr DialectSet paths = DialectSet(path) | cife;
 constexpr DialectSet tracers = paths | cg;
-constexpr auto light = DirectiveForm::Role::light, object = DirectiveForm::Role::object;
+constexpr auto light = DirectiveForm::Role::light, object = DirectiveForm::Role::object,
+               motion = DirectiveForm::Role::motion;
 
 // clang-format off
 constexpr DirectiveForm forms[] = {
@@ -68,6 +70,10 @@ constexpr DirectiveForm forms[] = {
     {"reflection_adds on/off",                                all,         nothing,  read_reflection_adds},
     {"fresnel on/off",                                        all,         nothing,  read_fresnel},
     {"shadows_through_glass on/off",                          all,         nothing,  read_shadows_through_glass},
+    {"animate_eye time x y z",                                all,         nothing,  read_eye_move,          motion},
+    {"animate_object name 'pivot' x y z",                     all,         nothing,  read_object_pivot,      motion},
+    {"animate_object name time 'translate' x y z",            all,         nothing,  read_object_move,       motion},
+    {"animate_object name time 'rotate' ax ay az degrees",    all,         nothing,  read_object_turn,       motion},
 
     {"light file.obj r g b I",                                all,         nothing,  read_mesh_light,        light},
     {"light file.obj r g b I x y z",                          DialectSet(cife) | own,

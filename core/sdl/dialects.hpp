@@ -63,8 +63,9 @@ using DirectiveHandler = void (*)(const Arguments &arguments, SceneDraft &draft)
 /// A row of the table: one form of a directive, in some dialects.
 class DirectiveForm {
 public:
-    /// Settings stand once in a file; lights and objects as often as wanted, and at least once.
-    enum class Role { setting, light, object };
+    /// Settings stand once in a file; lights and objects as often as wanted, and at least once; steps of motions as
+    /// often as wanted.
+    enum class Role { setting, light, object, motion };
 
     /// A keyword and 25 arguments would do for the longest form.
     static constexpr size_t most_words = 28;

@@ -53,4 +53,10 @@ void read_ray2005_quadric(const Arguments &arguments, SceneDraft &draft);
 void read_cg_quadric(const Arguments &arguments, SceneDraft &draft);
 void read_path2005_quadric(const Arguments &arguments, SceneDraft &draft);
 
+// directives_motion.cpp
+void read_object_move(const Arguments &arguments, SceneDraft &draft);
+void read_object_turn(const Arguments &arguments, SceneDraft &draft);
+void read_object_pivot(const Arguments &arguments, SceneDraft &draft);
+void read_eye_move(const Arguments &arguments, SceneDraft &draft);
+
 } // namespace glint

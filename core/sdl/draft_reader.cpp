@@ -145,6 +145,7 @@ void DraftReader::check_whole() {
     if (!has_light_) missing("light");
     if (!has_object_) missing("object");
     camera_ = camera_of(draft_, problems_);
+    check_motion(draft_, problems_);
     apply_settings();
 }
 

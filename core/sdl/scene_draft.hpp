@@ -9,6 +9,7 @@
 #include <glint/read.hpp>
 
 #include "sdl/mesh_library.hpp"
+#include "sdl/motion_draft.hpp"
 #include "text/problems.hpp"
 
 namespace glint {
@@ -67,6 +68,7 @@ struct SceneDraft {
     uint32_t grid_width = 0, grid_height = 0;
     std::vector<ObjectDraft> objects;
     std::vector<LightDraft> lights;
+    MotionDraft motion;
     uint64_t triangle_count = 0; ///< of all objects and lights
     std::optional<std::string> output_file;
 };

@@ -28,6 +28,7 @@ Status SceneFileReader::read(TextFile file_text) {
 
 Result<SceneFile> SceneFileReader::build() {
     SceneDraft &draft = reader_->draft();
+    std::shared_ptr<const Animation> animation = animation_of(draft);
     SceneBuilder builder(options_.limits);
     for (ObjectDraft &entry : draft.objects) {
         for (Object &object : entry.parts) builder.add_object(std::move(object));
@@ -38,7 +39,9 @@ Result<SceneFile> SceneFileReader::build() {
                                                      .set_background(draft.background)
                                                      .set_ambient(draft.ambient)
                                                      .set_optics(draft.optics)
+                                                     .set_animation(std::move(animation))
                                                      .build();
+    if (scene.ok()) scene = scene_at(*scene, 0.0);
     if (!scene.ok()) return std::move(scene).error();
 
     SceneFile result;

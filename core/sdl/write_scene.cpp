@@ -60,8 +60,11 @@ public:
         write_optics();
         for (const LightDraft &light : draft_.lights) write_light(light);
         for (const ObjectDraft &object : draft_.objects) write_object(object);
+        write_motion();
         std::string text = words("dialect ", dialect_name(Dialect::glint), '\n');
-        for (const SdlTable *table : {&camera_, &picture_, &optics_, &lights_, &objects_}) text += table->text();
+        for (const SdlTable *table : {&camera_, &picture_, &optics_, &lights_, &objects_, &motion_}) {
+            text += table->text();
+        }
         return text;
     }
 
@@ -169,6 +172,28 @@ private:
         }
     }
 
+    /// Objects by number, which their names may not be enough to tell apart.
+    void write_motion() {
+        for (const EyeKeyDraft &key : draft_.motion.eye) {
+            motion_.add(Directive("animate_eye").number(key.time_s).triple(key.eye).line());
+        }
+        for (const ObjectKeyDraft &key : draft_.motion.objects) {
+            Directive line = Directive("animate_object").whole(key.object + 1);
+            switch (key.kind) {
+            case ObjectKeyDraft::Kind::translate:
+                line.number(key.time_s).word("translate").triple(key.value);
+                break;
+            case ObjectKeyDraft::Kind::rotate:
+                line.number(key.time_s).word("rotate").triple(key.value).number(key.degrees);
+                break;
+            case ObjectKeyDraft::Kind::pivot:
+                line.word("pivot").triple(key.value);
+                break;
+            }
+            motion_.add(line.line());
+        }
+    }
+
     const std::string &name_of(const std::filesystem::path &file) {
         const auto [entry, is_new] = known_names_.try_emplace(file);
         if (!is_new) return entry->second;
@@ -187,7 +212,7 @@ private:
     std::map<std::filesystem::path, std::string> known_names_;
     SdlTable camera_{"Camera", SdlTable::Of::settings}, picture_{"Picture", SdlTable::Of::settings},
         optics_{"How light behaves", SdlTable::Of::settings}, lights_{"Lights", SdlTable::Of::surfaces},
-        objects_{"Objects", SdlTable::Of::surfaces};
+        objects_{"Objects", SdlTable::Of::surfaces}, motion_{"Motion", SdlTable::Of::surfaces};
 };
 
 } // namespace

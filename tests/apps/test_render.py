@@ -132,5 +132,56 @@ class Render(GlintTest):
         self.assertEqual(total, primary + shadow + secondary)
 
 
+class Frames(GlintTest):
+    """A lamp's worth of motion: a box that goes from side to side in four frames."""
+
+    def setUp(self):
+        super().setUp()
+        room = (self.folder / "room.sdl").read_text()
+        self.object = re.search(r"^object (\S+)", room, re.MULTILINE)[1]
+        moving = room + "animate_object 1 0 translate 0 0 0\nanimate_object 1 1 translate 0.5 0.25 0\n"
+        (self.folder / "moving.sdl").write_text(moving)
+
+    def frames(self, *arguments):
+        out = self.glint("render", "moving.sdl", "--hash", *arguments).stdout
+        return dict(re.findall(r"^frame (\d+) (pixels [0-9a-f]{16} radiance [0-9a-f]{16})$", out, re.MULTILINE))
+
+    def test_each_shows_the_scene_at_its_time(self):
+        frames = self.frames("--frames", "0..5", "--fps", 4)
+        self.assertEqual(list(frames), ["0", "1", "2", "3", "4", "5"])
+        self.assertEqual(len({frames[n] for n in "01234"}), 5)
+        self.assertEqual(frames["4"], frames["5"])
+        still = self.glint("render", "room.sdl", "--hash").stdout
+        self.assertEqual(frames["0"], " ".join(still.split("\n")[:2]))
+        self.assertEqual(self.frames("--frames", "2..2", "--fps", 4)["2"], frames["2"])
+        self.assertEqual(self.frames("--frames", "0..5", "--fps", 4, "--threads", 3, "--isa", "scalar"), frames)
+
+    @needs_images
+    def test_go_to_numbered_files(self):
+        self.glint("render", "moving.sdl", "--frames", "9..11", "-o", "f.%03d.png")
+        self.glint("render", "moving.sdl", "--frames", "0..0", "-o", "g%d.png")
+        names = {name for name in self.names() if name.endswith(".png")}
+        self.assertEqual(names, {"f.009.png", "f.010.png", "f.011.png", "g0.png"})
+
+    def test_bad_patterns_and_ranges_are_refused(self):
+        for arguments in (["-o", "f.png"], ["-o", "f.%d.%d.png"], ["-o", "f.%s.png"], ["-o", "f.%4d.png"], ["-o", "f%"], []):
+            done = self.glint("render", "moving.sdl", "--frames", "0..1", *arguments, expect=2)
+            self.assertIn("frame.%04d.png", done.stderr)
+        for text in ("1..0", "5", "a..b", "0...3", "-1..2", "0..1000001"):
+            done = self.glint("render", "moving.sdl", "--hash", f"--frames={text}", expect=2)
+            self.assertIn("is not a range of frames like 0..99", done.stderr)
+        self.glint("render", "moving.sdl", "--hash", "--fps", 5, expect=2)
+
+    def test_of_a_scene_that_does_not_move_are_warned_of(self):
+        done = self.glint("render", "room.sdl", "--frames", "0..1", "--hash")
+        self.assertIn("nothing moves in this scene", done.stderr)
+
+    def test_updates_are_measured(self):
+        done = self.glint("bench", "moving", "--scene", "moving.sdl", "--frames", 3)
+        self.assertRegex(done.stdout, r"moving objects +1\b")
+        self.assertRegex(done.stdout, r"update, ms +median +\d+\.\d+")
+        self.assertIn("nothing moves", self.glint("bench", "moving", "--scene", "room.sdl", expect=3).stderr)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -192,6 +192,43 @@ object  wall.obj 0  -0.5 1e-07 1   1 1     1   1   1   0  0    0    1
     EXPECT_EQ(scene.scene_root, std::nullopt);
 }
 
+TEST_F(Conversion, writes_motions_with_the_numbers_of_objects) {
+    const ConvertedScene scene = convert("eye 0 0 3\n"
+                                         "animate_object wall.obj pivot 0.5 0 -4\n"
+                                         "animate_object wall.obj 0 rotate 0 0 1 -45.5\n"
+                                         "animate_object wall.obj 1.25 rotate 0 0 1 720\n"
+                                         "animate_eye -1 0 0 3\n"
+                                         "light lamp.obj 1 1 1 1\n"
+                                         "object lamp.obj 1 1 1 0 1 0 0 0 0\n"
+                                         "object wall.obj 1 1 1 0 1 0 0 0 0\n"
+                                         "animate_object 1 0 translate 0 1e-1 0\n"
+                                         "animate_eye 2 0 0.5 3\n");
+    const size_t motion = scene.text.find("\n# Motion\n");
+    ASSERT_NE(motion, std::string::npos) << scene.text;
+    EXPECT_EQ(scene.text.substr(motion), R"(
+# Motion
+#animate_eye time x y   z
+animate_eye  -1   0 0   3
+animate_eye  2    0 0.5 3
+#animate_object name pivot x   y z
+animate_object  2    pivot 0.5 0 -4
+#animate_object name time rotate ax ay az degrees
+animate_object  2    0    rotate 0  0  1  -45.5
+animate_object  2    1.25 rotate 0  0  1  720
+#animate_object name time translate x y   z
+animate_object  1    0    translate 0 0.1 0
+)");
+    const auto again = converted(write("new.sdl", scene.text), in_folder(""));
+    EXPECT_EQ(again.text, scene.text);
+    ASSERT_TRUE(again.source.scene->animation());
+    for (const double time_s : {-2.0, 0.3, 1.0, 5.0}) {
+        const auto a = scene_at(scene.source.scene, time_s), b = scene_at(again.source.scene, time_s);
+        ASSERT_TRUE(a && b);
+        EXPECT_EQ((*a)->objects()[1].pose, (*b)->objects()[1].pose);
+        EXPECT_EQ((*a)->camera().eye, (*b)->camera().eye);
+    }
+}
+
 TEST_F(Conversion, leaves_out_what_every_scene_has_by_default) {
     EXPECT_EQ(convert("eye 0 0 5\nlight lamp.obj 1 1 1 1\nobject wall.obj 1 1 1 0 1 0 0 0 0\nmax_depth 1\n").text,
               R"(dialect glint

@@ -29,7 +29,7 @@ struct AccelOptions {
     unsigned threads = 0;                  ///< threads that build; 0 = one a processor. The tree does not depend on it
 };
 
-/// What the tree is like. AccelKind::brute is a tree of one leaf.
+/// What the tree is like, and those of moving meshes with it. AccelKind::brute is a tree of one leaf.
 struct AccelStatistics {
     uint32_t triangles = 0;
     uint64_t nodes = 0;  ///< inner nodes and leaves
@@ -37,7 +37,8 @@ struct AccelStatistics {
     uint64_t empty_leaves = 0;
     uint64_t references = 0; ///< triangles in all leaves; references / triangles says how often triangles were cut
     uint32_t depth = 0;      ///< of the deepest leaf; a lone leaf has depth 0
-    double sah_cost = 0.0;   ///< expected cost of a random ray, in nodes visited (MacDonald & Booth 1990)
+    double sah_cost = 0.0;   ///< expected cost of a random ray, in nodes visited (MacDonald & Booth 1990);
+                             ///< of what does not move
     uint64_t bytes = 0;      ///< nodes, leaves with their triangles, and what a hit needs to know of its triangle
     double build_seconds = 0.0;
 };
@@ -48,6 +49,11 @@ public:
     /// Cannot fail on a valid scene except for lack of memory (std::bad_alloc).
     [[nodiscard]] static std::shared_ptr<const Accel> build(std::shared_ptr<const Scene> scene,
                                                             const AccelOptions &options = {});
+    /// The structure of a scene that came about by moving objects of the previous one's (with_poses()): all trees are
+    /// shared with it, and only what knows where the objects stand is made anew, which costs little more than a
+    /// microsecond an object. Any other scene is built from scratch, with the previous one's options.
+    [[nodiscard]] static std::shared_ptr<const Accel> update(const std::shared_ptr<const Accel> &previous,
+                                                             std::shared_ptr<const Scene> scene);
     ~Accel();
     Accel(const Accel &) = delete;
     Accel &operator=(const Accel &) = delete;

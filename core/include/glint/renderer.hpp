@@ -81,7 +81,11 @@ public:
     [[nodiscard]] Result<RenderStatistics> render(Framebuffer &target, const RenderOptions &options = {},
                                                   RenderControl *control = nullptr);
 
+    /// Goes on with another scene: quick where it came about by Accel::update(). Waits for a render in progress.
+    void set_accel(std::shared_ptr<const Accel> accel);
+
     [[nodiscard]] unsigned threads() const;
+    /// Valid until another is set.
     [[nodiscard]] const Accel &accel() const;
     /// The instruction set whose kernel traces.
     [[nodiscard]] Isa isa() const;

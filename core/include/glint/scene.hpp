@@ -13,6 +13,7 @@
 
 #include <glint/export.hpp>
 #include <glint/result.hpp>
+#include <glint/rigid_transform.hpp>
 
 namespace glint {
 
@@ -85,7 +86,12 @@ struct Object {
     std::shared_ptr<const Mesh> mesh; ///< nullptr for a quadric
     Material material;
     std::optional<Quadric> quadric = std::nullopt;
+    /// Of an object that may move: where it stands. Such an object has an acceleration structure of its own, which
+    /// stays when it moves (glint/motion.hpp). Without, the object stands where its mesh says, for good.
+    std::optional<RigidTransform> pose = std::nullopt;
 };
+
+struct Animation; // glint/animation.hpp
 
 /// Something that gives light.
 struct Light {
@@ -191,6 +197,8 @@ public:
     [[nodiscard]] Color background() const { return background_; }
     [[nodiscard]] float ambient() const { return ambient_; }
     [[nodiscard]] const OpticsSettings &optics() const { return optics_; }
+    /// How objects and the eye move with time (glint/animation.hpp); nullptr where nothing does by itself.
+    [[nodiscard]] const std::shared_ptr<const Animation> &animation() const { return animation_; }
 
     /// Triangles of all objects and lights together; at most 2^30.
     [[nodiscard]] uint32_t triangle_count() const { return triangle_count_; }
@@ -209,9 +217,12 @@ public:
     [[nodiscard]] const std::vector<Point> &light_positions() const { return light_positions_; }
     /// Triangles that had no area and were left out when the scene was built.
     [[nodiscard]] uint32_t skipped_triangles() const { return skipped_triangles_; }
+    /// Whether both come from the same build(), by edits: then they differ in poses and the camera at most.
+    [[nodiscard]] bool is_edit_of(const Scene &other) const { return origin_ == other.origin_; }
 
 private:
     friend class SceneBuilder;
+    friend class SceneEdit;
     Scene() = default;
 
     std::vector<Object> objects_;
@@ -223,6 +234,8 @@ private:
     Color background_{0.0f};
     float ambient_ = 0.0f;
     OpticsSettings optics_;
+    std::shared_ptr<const Animation> animation_;
+    std::shared_ptr<const char> origin_; ///< the same of all edits of a scene
     uint32_t triangle_count_ = 0;
     uint32_t skipped_triangles_ = 0;
 };
@@ -260,13 +273,14 @@ public:
     SceneBuilder &set_background(Color background);
     SceneBuilder &set_ambient(float ambient);
     SceneBuilder &set_optics(const OpticsSettings &optics);
+    SceneBuilder &set_animation(std::shared_ptr<const Animation> animation);
 
     /// Checks everything and hands the scene over; the builder is empty afterwards.
     /// Fails, with one diagnostic for each problem, when there is no object, a shape is missing or empty, an index is
     /// out of range, a number is not finite, a fraction is outside [0, 1], kr + kt > 1, a quadric has no real points or
-    /// no area, the camera's window has no area or contains the eye's plane, or a limit is passed. Triangles without
-    /// area are left out and counted; a mesh that has no other triangles is an error. A scene without lights is allowed
-    /// here (readers may be stricter).
+    /// no area, a pose is no rotation, the camera's window has no area or contains the eye's plane, an animation moves
+    /// what cannot move, or a limit is passed. Triangles without area are left out and counted; a mesh that has no
+    /// other triangles is an error. A scene without lights is allowed here (readers may be stricter).
     [[nodiscard]] Result<std::shared_ptr<const Scene>> build();
 
 private:
@@ -278,6 +292,7 @@ private:
     Color background_{0.0f};
     float ambient_ = 0.0f;
     OpticsSettings optics_;
+    std::shared_ptr<const Animation> animation_;
 };
 
 } // namespace glint

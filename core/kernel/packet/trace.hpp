@@ -5,6 +5,7 @@
 #include "kernel/kernel.hpp"
 #include "kernel/packet/block_trace.hpp"
 #include "kernel/packet/group_trace.hpp"
+#include "kernel/packet/instance_space.hpp"
 #include "kernel/packet/quadric_trace.hpp"
 #include "kernel/packet/rays_by_face.hpp"
 #include "kernel/packet/stream_trace.hpp"
@@ -148,11 +149,12 @@ trace_quarters(const TraceQuestion &question, RayGroup &rays, RaySelection &sele
 template <bool shares_origin, bool any_hit>
 HWY_NOINLINE void trace_triangles(const TraceQuestion &question, RayGroup &rays, RaySelection &selection,
                                   BeamHistory &history, const RayHint &hint) {
-    if (selection.empty() || question.geometry.triangle_count == 0) return;
+    if (selection.empty()) return;
     if (question.geometry.wide_nodes) {
         trace_streams<shares_origin, any_hit>(question, rays, selection, history, hint);
         return;
     }
+    if (!question.geometry.nodes) return;
     const BeamOutcome outcome = trace_beam<shares_origin, any_hit>(question, rays, selection, 0, history, hint);
     if (outcome == BeamOutcome::done) return;
     if (outcome == BeamOutcome::dropped) {
@@ -179,6 +181,43 @@ HWY_NOINLINE void trace_triangles(const TraceQuestion &question, RayGroup &rays,
     }
 }
 
+/// The selected rays against what moves: against each instance whose box they meet in its own space, as if it were a
+/// scene of its own.
+HWY_NOINLINE void trace_instances(const TraceQuestion &question, RayGroup &rays, RaySelection &selection,
+                                  BeamHistory &history, bool shares_origin, bool any_hit) {
+    if (selection.empty()) return;
+    const InstanceView &instances = question.geometry.instances;
+    BoxTrace boxes(question.geometry.bounds, rays, selection, shares_origin, instance_slack);
+    RayGroup own;
+    boxes.walk(instances.nodes, [&](uint32_t i, const RaySelection &near) {
+        const Instance &instance = instances.all[instances.order[i]];
+        const RaySelection reach = boxes.rays_that_reach(instance.bounds, near);
+        if (reach.empty()) return;
+        take_inside(instance, rays, reach, shares_origin, own);
+        const GeometryView inside = GeometryView::inside(instance);
+        const TraceQuestion inner{inside};
+        RaySelection asked = reach;
+        if (any_hit) {
+            if (shares_origin) {
+                trace_triangles<true, true>(inner, own, asked, history, {});
+            } else {
+                trace_triangles<false, true>(inner, own, asked, history, {});
+            }
+            for (uint32_t b = 0; b < block_count; ++b) {
+                const uint32_t hit = reach.blocks[b] & ~uint32_t{asked.blocks[b]};
+                selection.blocks[b] = static_cast<uint16_t>(selection.blocks[b] & ~hit);
+            }
+        } else {
+            if (shares_origin) {
+                trace_triangles<true, false>(inner, own, asked, history, {});
+            } else {
+                trace_triangles<false, false>(inner, own, asked, history, {});
+            }
+            take_hits(instance, own, reach, rays);
+        }
+    });
+}
+
 /// Traces the selected rays. Those that are hit are deselected where any hit will do.
 template <bool shares_origin, bool any_hit> HWY_INLINE void trace(const TraceQuestion &question, RayGroup &rays,
                                                                   RaySelection &selection, BeamHistory &history,
@@ -186,6 +225,9 @@ template <bool shares_origin, bool any_hit> HWY_INLINE void trace(const TraceQue
     trace_triangles<shares_origin, any_hit>(question, rays, selection, history, hint);
     if (HWY_UNLIKELY(question.geometry.quadrics.count != 0)) {
         trace_quadrics<any_hit>(question, rays, selection, shares_origin);
+    }
+    if (HWY_UNLIKELY(question.geometry.instances.count != 0)) {
+        trace_instances(question, rays, selection, history, shares_origin, any_hit);
     }
 }
 
