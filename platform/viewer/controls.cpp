@@ -56,8 +56,9 @@ Controls::Controls(CameraControl &camera, ViewChoices choices, DistanceAt distan
       cursor_x_(0.5 * width_px),
       cursor_y_(0.5 * height_px) {}
 
-void Controls::moved() {
+void Controls::moved(bool by_hand) {
     ++moves_;
+    has_moved_camera_ = by_hand;
     choices_.inspected.reset(); // it belonged to the picture before
 }
 
@@ -95,7 +96,7 @@ void Controls::handle(const InputEvent &event) {
         width_px_ = event.width_px;
         height_px_ = event.height_px;
         camera_.resize(event.width_px, event.height_px);
-        moved();
+        moved(has_moved_camera_);
         break;
     case Kind::close:
         choices_.closes = true;
@@ -170,7 +171,7 @@ void Controls::press(Key key) {
     switch (key) {
     case Key::r:
         camera_.reset();
-        moved();
+        moved(false);
         break;
     case Key::f:
         camera_.frame();

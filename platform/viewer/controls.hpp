@@ -52,6 +52,8 @@ public:
     [[nodiscard]] const ViewChoices &choices() const { return choices_; }
     /// Changes with every move of the camera.
     [[nodiscard]] uint64_t moves() const { return moves_; }
+    /// Whether the camera was moved since the beginning, or since it went back.
+    [[nodiscard]] bool has_moved_camera() const { return has_moved_camera_; }
     /// Whether a button, finger or key is held that moves the camera: more moves are to be expected.
     [[nodiscard]] bool is_moving() const;
 
@@ -62,7 +64,7 @@ private:
     void touch(const TouchMove &move);
     void press(Key key);
     void zoom(double x, double y, double notches);
-    void moved();
+    void moved(bool by_hand = true);
 
     struct Drag {
         Button button;
@@ -80,6 +82,7 @@ private:
     Touch touch_;
     uint64_t held_ = 0; // keys, by bit
     uint64_t moves_ = 0;
+    bool has_moved_camera_ = false;
 };
 
 } // namespace glint::viewer

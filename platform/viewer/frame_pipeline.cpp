@@ -100,11 +100,12 @@ void FramePipeline::live() {
 
 Status FramePipeline::trace(bool is_next_pass) {
     const FrameRequest &request = request_;
-    if (!renderer_ || &renderer_->accel() != request.accel.get() || renderer_threads_ != request.threads ||
-        renderer_->isa() != request.isa) {
+    if (!renderer_ || renderer_threads_ != request.threads || renderer_->isa() != request.isa) {
         renderer_ =
             std::make_unique<Renderer>(request.accel, RendererOptions{.threads = request.threads, .isa = request.isa});
         renderer_threads_ = request.threads;
+    } else if (&renderer_->accel() != request.accel.get()) {
+        renderer_->set_accel(request.accel);
     }
     Frame &frame = *traced_;
     if (!frame.picture || frame.picture->width_px() != request.width_px ||

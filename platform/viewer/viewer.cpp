@@ -20,6 +20,7 @@
 #include "viewer/controls.hpp"
 #include "viewer/frame_pipeline.hpp"
 #include "viewer/overlay.hpp"
+#include "viewer/playback.hpp"
 
 namespace glint::viewer {
 
@@ -60,27 +61,25 @@ private:
 };
 
 /// The distance to what is seen at a place of the window.
-class Depths {
-public:
-    Depths(const std::shared_ptr<const Accel> &accel, Isa isa, const CameraControl &camera)
-        : query_(accel, isa), camera_(camera) {}
+std::optional<double> distance_at(const std::shared_ptr<const Accel> &accel, const CameraControl &camera, double x,
+                                  double y) {
+    const Point eye = camera.camera().eye;
+    const Vector direction(camera.direction_to({x, y}));
+    const float t_max = max_coordinate;
+    RayBatch ray{1, &eye.x, &eye.y, &eye.z, &direction.x, &direction.y, &direction.z, &t_max};
+    float t = 0.0f;
+    uint32_t triangle = no_triangle;
+    RayQuery(accel, Isa::scalar).closest_hits(ray, {&t, &triangle});
+    if (triangle == no_triangle) return std::nullopt;
+    return t;
+}
 
-    [[nodiscard]] std::optional<double> at(double x, double y) const {
-        const Point eye = camera_.camera().eye;
-        const Vector direction(camera_.direction_to({x, y}));
-        const float t_max = max_coordinate;
-        RayBatch ray{1, &eye.x, &eye.y, &eye.z, &direction.x, &direction.y, &direction.z, &t_max};
-        float t = 0.0f;
-        uint32_t triangle = no_triangle;
-        query_.closest_hits(ray, {&t, &triangle});
-        if (triangle == no_triangle) return std::nullopt;
-        return t;
-    }
-
-private:
-    RayQuery query_;
-    const CameraControl &camera_;
-};
+/// Whether the processor draws in place of a graphics processor, for which the sharp filter is too dear.
+bool is_software(const std::string &gl_description) {
+    constexpr const char *renderers[] = {"llvmpipe", "softpipe", "swrast", "SwiftShader"};
+    return std::any_of(std::begin(renderers), std::end(renderers),
+                       [&](const char *renderer) { return gl_description.find(renderer) != std::string::npos; });
+}
 
 class Loop {
 public:
@@ -89,13 +88,15 @@ public:
           options_(std::move(options)),
           governor_(std::move(governor)),
           camera_(options_.scene),
-          depths_(options_.accel, options_.isa, camera_),
+          playback_(options_.accel, options_.scene),
           controls_(
-              camera_, first_choices(), [this](double x, double y) { return depths_.at(x, y); }, window.width_px(),
+              camera_, first_choices(),
+              [this](double x, double y) { return distance_at(playback_.accel(), camera_, x, y); }, window.width_px(),
               window.height_px()),
           presenter_([this](bool is_lost) { return window_.context(is_lost); }),
           began_(Clock::now()) {
         if (options_.fps) interval_s_ = 1.0 / *options_.fps;
+        filter_ = is_software(window.gl_description()) ? gles::Filter::bilinear : gles::Filter::sharp;
         camera_.resize(window.width_px(), window.height_px());
     }
 
@@ -131,12 +132,14 @@ private:
         if (options_.frames && log_.count() >= *options_.frames) return true;
         const bool script_is_over = !options_.script || !options_.script->next_seconds();
         if (!script_is_over || !options_.ends_at_rest) return false;
+        if (!playback_.is_over()) return false;
         return records() ? log_.count() > 0 : is_final_ && !needs_frame_;
     }
 
     // One turn: input, then a finished frame is shown while the next one is being traced.
     Status turn() {
         take_input();
+        if (Status played = play(); !played) return played;
         request();
         const auto deadline = Clock::now() + (is_tracing_ || is_refining_ ? poll_interval : Clock::duration::zero());
         const Result<const Frame *> taken = pipeline_.take(deadline);
@@ -148,6 +151,7 @@ private:
             is_final_ = frame->request.refines && frame->is_final;
             // First let the tracer go on.
             take_input();
+            if (Status played = play(); !played) return played;
             request();
             return show_new_frame();
         }
@@ -159,7 +163,7 @@ private:
     [[nodiscard]] double wait_s() const {
         if (needs_show_ || is_tracing_ || is_refining_ || records()) return 0.0;
         double wait = idle_wait_s;
-        if (needs_frame_) {
+        if (needs_frame_ || (!playback_.is_over() && !controls_.choices().is_paused)) {
             wait = seconds_between(Clock::now(), next_due_);
         } else if (!is_final_ && !controls_.choices().is_paused) {
             wait = std::min(wait, rest_s - seconds_between(changed_, Clock::now()));
@@ -205,6 +209,7 @@ private:
 
         const ViewChoices &choices = controls_.choices();
         if (choices.depth != chosen.depth) governor_.set_greatest_depth(choices.depth);
+        if (controls_.moves() != moves) is_camera_taken_ = controls_.has_moved_camera();
         if (controls_.moves() != moves || choices.depth != chosen.depth || choices.threads != chosen.threads) {
             needs_frame_ = true;
             is_final_ = false;
@@ -222,6 +227,23 @@ private:
             overlay_.invalidate();
         }
         if (choices.screenshots != chosen.screenshots || overlay_.has_old_message(now)) needs_show_ = true;
+    }
+
+    /// Lets time pass in a scene that moves by itself.
+    Status play() {
+        const double time_s = now_s(), passed_s = time_s - std::exchange(played_s_, time_s);
+        // One moment for each frame: what is being traced is shown first.
+        if (controls_.choices().is_paused || playback_.is_over()) return Done{};
+        play_s_ += passed_s;
+        if (is_tracing_ || Clock::now() < next_due_) return Done{};
+        const Result<bool> has_changed = playback_.go_to(play_s_);
+        if (!has_changed) return has_changed.error();
+        if (*has_changed) {
+            needs_frame_ = true;
+            is_final_ = false;
+            changed_ = Clock::now();
+        }
+        return Done{};
     }
 
     void handle(const InputEvent &event) {
@@ -256,7 +278,7 @@ private:
     void submit(const FrameQuality &quality, bool refines, bool follows) {
         const PictureSize size = scaled_size(window_.width_px(), window_.height_px(), quality.scale);
         FrameRequest request;
-        request.accel = options_.accel;
+        request.accel = playback_.accel();
         request.how = how(quality.depth);
         request.width_px = size.width_px;
         request.height_px = size.height_px;
@@ -272,11 +294,19 @@ private:
     [[nodiscard]] RenderOptions how(uint32_t depth) const {
         RenderOptions how;
         how.max_depth = depth;
-        how.camera = camera_.camera();
+        how.camera = camera();
         how.samples_per_pixel = 1;
         how.pattern = SamplePattern::centre;
         how.transfer = options_.transfer;
         return how;
+    }
+
+    /// The person's camera; while nobody has moved it, that of a scene whose eye moves by itself.
+    [[nodiscard]] Camera camera() const {
+        if (!playback_.moves_eye() || is_camera_taken_) return camera_.camera();
+        CameraControl moved(playback_.scene());
+        moved.resize(window_.width_px(), window_.height_px());
+        return moved.camera();
     }
 
     Status show_new_frame() {
@@ -340,7 +370,7 @@ private:
         needs_show_ = false;
         const auto width_px = static_cast<int>(window_.width_px()), height_px = static_cast<int>(window_.height_px());
         std::array<gles::Layer, 2> layers;
-        layers[0] = {*frame_->picture, 0, 0, width_px, height_px, {}, frame_->number};
+        layers[0] = {*frame_->picture, 0, 0, width_px, height_px, {filter_, gles::Blend::replace}, frame_->number};
         size_t count = 1;
         if (with_overlay) {
             const Overlay::Pixels overlay = overlay_of_this_frame();
@@ -364,8 +394,8 @@ private:
             inspected_ = choices.inspected;
             ray_tree_.reset();
             if (inspected_) {
-                auto tree = trace_ray_tree(*options_.accel, how(choices.depth), window_.width_px(), window_.height_px(),
-                                           inspected_->x, inspected_->y);
+                auto tree = trace_ray_tree(*playback_.accel(), how(choices.depth), window_.width_px(),
+                                           window_.height_px(), inspected_->x, inspected_->y);
                 if (tree) {
                     ray_tree_ = std::move(*tree);
                 } else {
@@ -434,7 +464,7 @@ private:
     ViewOptions options_;
     Governor governor_;
     CameraControl camera_;
-    Depths depths_;
+    Playback playback_;
     Controls controls_;
     gles::ReliablePresenter presenter_;
     FramePipeline pipeline_;
@@ -443,8 +473,10 @@ private:
     SwapCost swap_cost_;
 
     Clock::time_point began_, shown_, changed_, next_due_;
-    double interval_s_ = 0.0; // between frames, at least
-    double advanced_s_ = 0.0, waited_s_ = 0.0;
+    gles::Filter filter_ = gles::Filter::bilinear; // where a picture is smaller than the window
+    double interval_s_ = 0.0;                      // between frames, at least
+    double advanced_s_ = 0.0, played_s_ = 0.0, play_s_ = 0.0, waited_s_ = 0.0;
+    bool is_camera_taken_ = false;                // from the scene, by a person
     std::optional<Clock::time_point> input_time_; // of the first event that no frame shows yet
     bool needs_frame_ = true, needs_show_ = false, is_tracing_ = false, is_refining_ = false, is_final_ = false;
     bool is_in_motion_ = false; // whether the last frame asked for was one in motion
