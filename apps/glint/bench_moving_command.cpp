@@ -28,6 +28,10 @@ ExitCode run(const BenchMovingOptions &options) {
     const Result<SceneFile> file = read_scene(*path, options.scene.read_options(*path));
     if (!file) return fail_reading(file.error());
     complain_about(*file);
+    if (!file->scene->animation()) {
+        complain("nothing moves in this scene");
+        return ExitCode::bad_input;
+    }
     const Result<bench::UpdateCost> cost = bench::measure_updates(file->scene, options.frames.value_or(500));
     if (!cost) return fail(cost.error());
     print(fmt::format("moving objects   {}\nmoving triangles {}\nupdates          {}\n", cost->moving_objects,

@@ -193,7 +193,7 @@ object  wall.obj 0  -0.5 1e-07 1   1 1     1   1   1   0  0    0    1
 }
 
 TEST_F(Conversion, writes_motions_with_the_numbers_of_objects) {
-    const ConvertedScene scene = convert("eye 0 0 3\n"
+    const ConvertedScene scene = convert("dialect mobile2013\neye 0 0 3\n"
                                          "animate_object wall.obj pivot 0.5 0 -4\n"
                                          "animate_object wall.obj 0 rotate 0 0 1 -45.5\n"
                                          "animate_object wall.obj 1.25 rotate 0 0 1 720\n"
