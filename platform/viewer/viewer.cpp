@@ -146,6 +146,7 @@ private:
         if (!taken) return taken.error();
         if (const Frame *const frame = *taken) {
             frame_ = frame;
+            taken_ = Clock::now();
             if (!frame->request.refines) is_tracing_ = false;
             if (frame->request.refines && frame->is_final) is_refining_ = false;
             is_final_ = frame->request.refines && frame->is_final;
@@ -259,7 +260,7 @@ private:
         const Clock::time_point now = Clock::now();
         if (needs_frame_ || records()) {
             if (!records() && now < next_due_) return;
-            const bool follows = seconds_between(std::max(next_due_, shown_), now) < most_gap_s;
+            const bool follows = seconds_between(std::max(next_due_, taken_), now) < most_gap_s;
             next_due_ = std::max(after(next_due_, interval_s_), now);
             const FrameQuality quality = records() ? FrameQuality{1.0f, choices.depth} : governor_.quality();
             submit(quality, false, follows && is_in_motion_);
@@ -472,7 +473,7 @@ private:
     FrameLog log_;
     SwapCost swap_cost_;
 
-    Clock::time_point began_, shown_, changed_, next_due_;
+    Clock::time_point began_, taken_, shown_, changed_, next_due_;
     gles::Filter filter_ = gles::Filter::bilinear; // where a picture is smaller than the window
     double interval_s_ = 0.0;                      // between frames, at least
     double advanced_s_ = 0.0, played_s_ = 0.0, play_s_ = 0.0, waited_s_ = 0.0;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glint/animation.hpp>
+
 #include "support/meshes.hpp"
 #include "support/picture.hpp"
 
@@ -162,6 +164,52 @@ TEST_F(ViewerTest, is_paused_without_a_better_picture) {
     script("0 key space\n0.4 close\n");
     const FrameLog log = run();
     for (const ShownFrame &frame : log.frames()) EXPECT_FALSE(frame.refines);
+}
+
+TEST_F(ViewerTest, knows_frames_that_follow_each_other_however_slow_they_are) {
+    auto window = open_offscreen(1600, 1200);
+    ASSERT_TRUE(window.ok()) << window.error().text();
+    window_.emplace(std::move(*window));
+    options_.isa = Isa::scalar;
+    options_.threads = 1;
+    script("0 key d down\n1 close\n");
+    const FrameLog log = run();
+    ASSERT_GT(log.count(), 2u);
+    EXPECT_GE(log.intervals_s().size() + 2, log.count()); // all but the first, and the one before it moved
+    for (const ShownFrame &frame : log.frames()) {
+        if (frame.interval_s > 0.0) {
+            EXPECT_LT(frame.wait_s, frame.interval_s);
+        }
+    }
+}
+
+TEST_F(ViewerTest, plays_a_scene_that_moves_and_rests_at_its_end) {
+    SceneBuilder builder;
+    Material material;
+    material.color = {0.9f, 0.6f, 0.1f};
+    material.ambient = 1.0f;
+    Object object{"square", test::square({0.0f, 0.0f, 0.0f}, 0.4f), material};
+    object.pose = RigidTransform{};
+    builder.add_object(object);
+    builder.set_ambient(1.0f);
+    builder.set_picture({.width_px = 96, .height_px = 64});
+    builder.set_camera(Camera::through_window({0.0f, 0.0f, 5.0f}, -1.5f, -1.0f, 1.5f, 1.0f));
+    Animation animation;
+    ObjectMotion motion;
+    motion.moves = {{0.0, {-0.5f, 0.0f, 0.0f}}, {0.3, {0.5f, 0.2f, 0.0f}}};
+    animation.objects.push_back(motion);
+    builder.set_animation(std::make_shared<Animation>(animation));
+    auto scene = builder.build();
+    ASSERT_TRUE(scene.ok()) << scene.error().text();
+    options_.scene = *scene;
+    options_.accel = Accel::build(options_.scene);
+    options_.ends_at_rest = true;
+    const FrameLog log = run();
+    EXPECT_GT(log.count(), 18u) << "more than the passes at rest";
+    const auto end = scene_at(*scene, 0.3);
+    ASSERT_TRUE(end.ok());
+    options_.accel = Accel::build(*end);
+    expect_shown(rendered(96, 64, 16));
 }
 
 TEST_F(ViewerTest, changes_depth_and_threads) {
