@@ -261,7 +261,8 @@ private:
         if (needs_frame_ || records()) {
             if (!records() && now < next_due_) return;
             const bool follows = seconds_between(std::max(next_due_, taken_), now) < most_gap_s;
-            next_due_ = std::max(after(next_due_, interval_s_), now);
+            // A frame that came late may be made up for by the next one.
+            next_due_ = std::max(after(next_due_, interval_s_), after(now, -interval_s_));
             const FrameQuality quality = records() ? FrameQuality{1.0f, choices.depth} : governor_.quality();
             submit(quality, false, follows && is_in_motion_);
             is_in_motion_ = true;
