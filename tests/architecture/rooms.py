@@ -28,7 +28,7 @@ USES = {
     "platform/egl": ("platform/gles",),
     "platform/osmesa": ("platform/gles",),
     "platform/viewer/hud": (),
-    "platform/viewer": ("platform/gles", "platform/viewer/hud"),
+    "platform/viewer": ("platform/gles", "platform/egl", "platform/osmesa", "platform/viewer/hud"),
     # Peers wait for work in the same pool of threads as Glint does, so that waking up costs all the same.
     "bench/peers": (),
     "bench/peers/embree": ("bench/peers", "core/threads"),
