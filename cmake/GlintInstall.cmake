@@ -1,21 +1,21 @@
-# What an installed Glint offers other projects: find_package(glint) and the targets glint::core, glint::shared, ...
-# Each library's own folder installs it into the export set "glint"; here the set gets its names and its package files.
-include(CMakePackageConfigHelpers)
+# Where the parts of an installed Glint go. "runtime" is the shared library, "imageio" the module that brings a hundred
+# libraries along, "tools" the command line and its scene, "devel" all that programs are built with.
+include(GNUInstallDirs)
 
-set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/glint)
-
-foreach(library IN ITEMS core shared imageio gles egl osmesa)
-    if(TARGET glint_${library})
-        set_target_properties(glint_${library} PROPERTIES EXPORT_NAME ${library}) # glint::core here and there
+# glint_install_libraries(<glint_name>...): each becomes the target glint::<name> of the package, and the folder's
+# public headers go with them.
+function(glint_install_libraries)
+    foreach(library IN LISTS ARGN)
+        string(REGEX REPLACE "^glint_" "" name ${library})
+        set_target_properties(${library} PROPERTIES EXPORT_NAME ${name}) # glint::core here and there
+    endforeach()
+    if(NOT GLINT_INSTALL)
+        return()
     endif()
-endforeach()
-install(EXPORT glint NAMESPACE glint:: DESTINATION ${package_folder} FILE glintTargets.cmake)
-
-configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/glintConfig.cmake.in
-    ${PROJECT_BINARY_DIR}/package/glintConfig.cmake INSTALL_DESTINATION ${package_folder})
-# Before 1.0 a new minor version may change the interface.
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/glintConfigVersion.cmake
-    COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/package/glintConfig.cmake ${PROJECT_BINARY_DIR}/package/glintConfigVersion.cmake
-    DESTINATION ${package_folder})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+    install(TARGETS ${ARGN} EXPORT glint
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT devel
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT devel)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/include)
+        install(DIRECTORY include/glint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT devel)
+    endif()
+endfunction()

@@ -51,6 +51,9 @@ std::string to_text(const ViewReport &report) {
     text += line("draw and swap", in_motion(log, [](const ShownFrame &f) { return f.gl_s * 1000.0; }), "ms");
     text += line("input to picture", viewer::quantiles_of(in_ms(log.latencies_s())), "ms");
     text += line("", viewer::quantiles_of(log.latencies_in_frames()), "frames");
+    if (const auto stops = log.stops_s(); !stops.empty()) {
+        text += line("refining stopped", viewer::quantiles_of(in_ms(stops)), "ms");
+    }
     text += line("scale", in_motion(log, [](const ShownFrame &f) { return static_cast<double>(f.scale); }), "");
     text += fmt::format("scale changes     {:8.2f} a second\n", log.scale_changes_per_s());
     return text;
@@ -74,6 +77,7 @@ std::string to_json(const ViewReport &report) {
                              {"samples", f.samples},
                              {"refines", f.refines}};
         if (f.latency_s >= 0.0) frame["latency_ms"] = f.latency_s * 1000.0;
+        if (f.stop_s >= 0.0) frame["stop_ms"] = f.stop_s * 1000.0;
         frames.push_back(std::move(frame));
     }
     return bench::json_text({{"machine", bench::to_json(bench::describe_machine())},
@@ -85,6 +89,7 @@ std::string to_json(const ViewReport &report) {
                              {"interval_ms", json_of(viewer::quantiles_of(in_ms(log.intervals_s())))},
                              {"latency_ms", json_of(viewer::quantiles_of(in_ms(log.latencies_s())))},
                              {"latency_frames", json_of(viewer::quantiles_of(log.latencies_in_frames()))},
+                             {"stop_ms", json_of(viewer::quantiles_of(in_ms(log.stops_s())))},
                              {"scale_changes_per_s", log.scale_changes_per_s()},
                              {"frames", std::move(frames)}});
 }

@@ -3,7 +3,6 @@
 #include <cassert>
 #include <chrono>
 #include <map>
-#include <thread>
 
 #include "accel/accel_impl.hpp"
 
@@ -22,22 +21,28 @@ bool is_moving(const Scene &scene, uint32_t surface) {
     return !ref.is_light && scene.objects()[ref.index].pose;
 }
 
+/// The kind of all trees of a scene: whether triangles are small in the picture is for the whole scene to say, not for
+/// one mesh of many.
+AccelKind kind_for(const Scene &scene, AccelKind wish) {
+    if (wish != AccelKind::automatic) return wish;
+    return scene.triangle_count() <= most_triangles_for_kdtree ? AccelKind::kdtree : AccelKind::bvh;
+}
+
 /// Trees over what stands still and, of each mesh that moves, over that mesh.
 class PartsBuilder {
 public:
     PartsBuilder(const Scene &scene, const AccelOptions &options)
         : scene_(scene),
-          threads_(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
-          parts_(std::make_shared<SharedParts>()) {
-        parts_->options = options;
-    }
+          kind_(kind_for(scene, options.kind)),
+          parts_(std::make_shared<SharedParts>(options)),
+          crew_(options.threads, parts_->options.submit) {}
 
     std::shared_ptr<const SharedParts> build() {
-        TriangleData triangles = TriangleData::from(scene_, threads_);
+        TriangleData triangles = TriangleData::from(scene_, crew_);
         parts_->surfaces = std::move(triangles.surfaces);
         take_movers(triangles.corners);
         if (parts_->movers.empty()) {
-            parts_->still = TriangleTree::build(triangles.corners, parts_->options.kind, threads_);
+            parts_->still = TriangleTree::build(triangles.corners, kind_, crew_);
         } else {
             build_still(triangles.corners);
         }
@@ -56,8 +61,7 @@ private:
             if (mesh && is_moving(scene_, s)) {
                 const auto [known, is_new] = tree_of.try_emplace(mesh, static_cast<uint32_t>(parts_->meshes.size()));
                 if (is_new) {
-                    parts_->meshes.push_back(
-                        TriangleTree::build(corners.subspan(first, count), parts_->options.kind, threads_));
+                    parts_->meshes.push_back(TriangleTree::build(corners.subspan(first, count), kind_, crew_));
                 }
                 parts_->instance_of_surface.resize(scene_.surface_count(), no_instance);
                 parts_->instance_of_surface[s] = static_cast<uint32_t>(parts_->movers.size());
@@ -76,7 +80,7 @@ private:
             corners.push_back(all[id]);
             ids.push_back(id);
         }
-        parts_->still = TriangleTree::build(corners, parts_->options.kind, threads_);
+        parts_->still = TriangleTree::build(corners, kind_, crew_);
         parts_->still.renumber(ids);
     }
 
@@ -96,8 +100,9 @@ private:
     }
 
     const Scene &scene_;
-    unsigned threads_;
+    AccelKind kind_;
     std::shared_ptr<SharedParts> parts_;
+    Crew crew_;
 };
 
 bool moves_quadrics(const Scene &scene) {

@@ -15,6 +15,8 @@ namespace glint {
 
 /// What scenes have in common that differ in where objects stand.
 struct SharedParts {
+    explicit SharedParts(const AccelOptions &options_) : options(options_) {}
+
     AccelOptions options;
     TriangleTree still;                            ///< over the triangles that never move
     std::vector<TriangleTree> meshes;              ///< of movers

@@ -28,14 +28,14 @@ double reference_budget(size_t triangle_count) {
 }
 
 /// The whole scene, every triangle in it.
-FilledCell root_of(std::span<const TriangleCorners> triangles, unsigned threads) {
+FilledCell root_of(std::span<const TriangleCorners> triangles, const Crew &crew) {
     constexpr size_t piece_size = 16384;
     FilledCell root;
     root.cell.levels_left = depth_limit(triangles.size());
     root.cell.reference_budget = reference_budget(triangles.size());
     root.references.resize(triangles.size());
     std::vector<Box> boxes((triangles.size() + piece_size - 1) / piece_size);
-    parallel_for_pieces(triangles.size(), piece_size, threads, [&](size_t begin, size_t end) {
+    parallel_for_pieces(triangles.size(), piece_size, crew, [&](size_t begin, size_t end) {
         Box &box = boxes[begin / piece_size];
         for (size_t id = begin; id < end; ++id) {
             root.references[id] = {triangles[id].bounds(), static_cast<uint32_t>(id)};
@@ -49,14 +49,14 @@ FilledCell root_of(std::span<const TriangleCorners> triangles, unsigned threads)
 
 /// The subtrees of all cells, in the cells' order; leaves no references behind.
 std::vector<Subtree> grow_subtrees(std::vector<FilledCell> &cells, std::span<const TriangleCorners> triangles,
-                                   unsigned threads) {
+                                   const Crew &crew) {
     std::vector<size_t> large_first(cells.size());
     std::iota(large_first.begin(), large_first.end(), size_t{0});
     std::sort(large_first.begin(), large_first.end(),
               [&](size_t a, size_t b) { return cells[a].references.size() > cells[b].references.size(); });
-    std::vector<SubtreeBuilder> builders(threads, SubtreeBuilder(triangles));
+    std::vector<SubtreeBuilder> builders(crew.threads, SubtreeBuilder(triangles));
     std::vector<Subtree> subtrees(cells.size());
-    parallel_for(cells.size(), threads, [&](size_t i, unsigned thread) {
+    parallel_for(cells.size(), crew, [&](size_t i, unsigned thread) {
         FilledCell &cell = cells[large_first[i]];
         subtrees[large_first[i]] = builders[thread].build(cell.cell, cell.references);
         cell.references = {};
@@ -66,12 +66,12 @@ std::vector<Subtree> grow_subtrees(std::vector<FilledCell> &cells, std::span<con
 
 } // namespace
 
-KdTree build_kd_tree(std::span<const TriangleCorners> triangles, unsigned threads) {
-    FilledCell root = root_of(triangles, threads);
+KdTree build_kd_tree(std::span<const TriangleCorners> triangles, const Crew &crew) {
+    FilledCell root = root_of(triangles, crew);
     const Box bounds = root.cell.box;
-    TopOfTree top = build_top(std::move(root), triangles, threads);
-    const std::vector<Subtree> subtrees = grow_subtrees(top.cells, triangles, threads);
-    KdTree tree = lay_out(top, subtrees, triangles, threads);
+    TopOfTree top = build_top(std::move(root), triangles, crew);
+    const std::vector<Subtree> subtrees = grow_subtrees(top.cells, triangles, crew);
+    KdTree tree = lay_out(top, subtrees, triangles, crew);
     tree.bounds = bounds;
     return tree;
 }

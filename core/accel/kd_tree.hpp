@@ -11,6 +11,7 @@
 #include "accel/triangle_data.hpp"
 #include "accel/uninitialized_vector.hpp"
 #include "math/box.hpp"
+#include "threads/crew.hpp"
 
 namespace glint {
 
@@ -34,7 +35,7 @@ inline constexpr uint32_t max_tree_depth = 60;
 /// Triangles that straddle a split are cut at it ("perfect splits", Havran 2001), so that the heuristic counts only
 /// cells that a triangle really enters. All threads work on the top of the tree together (top_of_tree.hpp), then each
 /// on subtrees of its own (subtree.hpp).
-[[nodiscard]] KdTree build_kd_tree(std::span<const TriangleCorners> triangles, unsigned threads);
+[[nodiscard]] KdTree build_kd_tree(std::span<const TriangleCorners> triangles, const Crew &crew);
 
 /// A tree that is a single leaf: every ray meets every triangle.
 [[nodiscard]] KdTree single_leaf_tree(std::span<const TriangleCorners> triangles);

@@ -70,8 +70,8 @@ private:
 
 class TopBuilder {
 public:
-    TopBuilder(std::span<const TriangleCorners> triangles, unsigned threads)
-        : threads_(threads), limit_(one_thread_limit(triangles.size())), workbenches_(threads, Workbench(triangles)) {}
+    TopBuilder(std::span<const TriangleCorners> triangles, const Crew &crew)
+        : crew_(crew), limit_(one_thread_limit(triangles.size())), workbenches_(crew.threads, Workbench(triangles)) {}
 
     TopOfTree build(FilledCell root) {
         top_.branches.emplace_back();
@@ -97,7 +97,7 @@ private:
         for (Task &task : tasks) {
             for (Piece &piece : task.pieces) all.emplace_back(&task, &piece);
         }
-        parallel_for(all.size(), threads_,
+        parallel_for(all.size(), crew_,
                      [&](size_t i, unsigned thread) { work(*all[i].first, *all[i].second, thread); });
     }
 
@@ -185,7 +185,7 @@ private:
         std::tie(task.lower.branch, task.upper.branch) = add_branches(task.from.branch, task.split);
     }
 
-    unsigned threads_;
+    Crew crew_;
     size_t limit_;
     std::vector<Workbench> workbenches_; // one a thread
     TopOfTree top_;
@@ -194,8 +194,8 @@ private:
 
 } // namespace
 
-TopOfTree build_top(FilledCell root, std::span<const TriangleCorners> triangles, unsigned threads) {
-    return TopBuilder(triangles, threads).build(std::move(root));
+TopOfTree build_top(FilledCell root, std::span<const TriangleCorners> triangles, const Crew &crew) {
+    return TopBuilder(triangles, crew).build(std::move(root));
 }
 
 } // namespace glint

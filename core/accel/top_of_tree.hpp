@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "accel/partition.hpp"
+#include "threads/crew.hpp"
 
 namespace glint {
 
@@ -28,6 +29,6 @@ struct TopOfTree {
 };
 
 /// Splits the root and what comes of it level by level.
-[[nodiscard]] TopOfTree build_top(FilledCell root, std::span<const TriangleCorners> triangles, unsigned threads);
+[[nodiscard]] TopOfTree build_top(FilledCell root, std::span<const TriangleCorners> triangles, const Crew &crew);
 
 } // namespace glint

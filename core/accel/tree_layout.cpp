@@ -71,9 +71,9 @@ private:
 } // namespace
 
 KdTree lay_out(const TopOfTree &top, const std::vector<Subtree> &subtrees, std::span<const TriangleCorners> triangles,
-               unsigned threads) {
+               const Crew &crew) {
     Layout layout(top, subtrees);
-    parallel_for(subtrees.size(), threads, [&](size_t i, unsigned) { layout.fill(i, triangles); });
+    parallel_for(subtrees.size(), crew, [&](size_t i, unsigned) { layout.fill(i, triangles); });
     return layout.take();
 }
 

@@ -8,7 +8,7 @@
 
 namespace glint {
 
-TriangleData TriangleData::from(const Scene &scene, unsigned threads) {
+TriangleData TriangleData::from(const Scene &scene, const Crew &crew) {
     constexpr size_t piece_size = 16384;
     TriangleData data;
     data.corners.resize(scene.triangle_count());
@@ -18,7 +18,7 @@ TriangleData TriangleData::from(const Scene &scene, unsigned threads) {
         const Mesh *const of_surface = scene.surface_mesh(s);
         if (!of_surface) continue;
         const Mesh &mesh = *of_surface;
-        parallel_for_pieces(mesh.triangles.size(), piece_size, threads, [&](size_t begin, size_t end) {
+        parallel_for_pieces(mesh.triangles.size(), piece_size, crew, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 const Triangle &t = mesh.triangles[i];
                 data.corners[first_id + i] = {mesh.positions[t.a], mesh.positions[t.b], mesh.positions[t.c]};

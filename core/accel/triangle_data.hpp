@@ -7,6 +7,7 @@
 
 #include "accel/uninitialized_vector.hpp"
 #include "math/box.hpp"
+#include "threads/crew.hpp"
 
 namespace glint {
 
@@ -37,7 +38,7 @@ struct TriangleData {
     UninitializedVector<TriangleSurface> surfaces; ///< those of the scene's quadrics, without normals, come last
 
     /// Of all triangles of the scene, made by so many threads.
-    [[nodiscard]] static TriangleData from(const Scene &scene, unsigned threads = 1);
+    [[nodiscard]] static TriangleData from(const Scene &scene, const Crew &crew = 1);
 };
 
 } // namespace glint

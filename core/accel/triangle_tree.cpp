@@ -12,9 +12,7 @@ namespace {
 /// Starting a thread takes about as long as building over this many triangles.
 constexpr uint32_t triangles_worth_a_thread = 500;
 
-AccelKind kind_for(AccelKind wish, uint32_t triangle_count) {
-    if (wish == AccelKind::automatic)
-        wish = triangle_count <= most_triangles_for_kdtree ? AccelKind::kdtree : AccelKind::bvh;
+AccelKind kind_that_fits(AccelKind wish, uint32_t triangle_count) {
     // A hierarchy over nothing has no root, and over more triangles than its links count does not fit.
     const bool fits = triangle_count > 0 && triangle_count <= max_bvh_triangles;
     return wish == AccelKind::bvh && !fits ? AccelKind::kdtree : wish;
@@ -29,17 +27,18 @@ void renumber_leaf(UninitializedVector<uint32_t> &words, uint32_t first, uint32_
 
 } // namespace
 
-TriangleTree TriangleTree::build(std::span<const TriangleCorners> triangles, AccelKind wish, unsigned threads) {
+TriangleTree TriangleTree::build(std::span<const TriangleCorners> triangles, AccelKind wish, const Crew &all) {
     TriangleTree tree;
     tree.triangle_count = static_cast<uint32_t>(triangles.size());
-    tree.kind = kind_for(wish, tree.triangle_count);
-    threads = std::min(threads, 1 + tree.triangle_count / triangles_worth_a_thread);
+    tree.kind = kind_that_fits(wish, tree.triangle_count);
+    Crew crew = all;
+    crew.threads = std::min(all.threads, 1 + tree.triangle_count / triangles_worth_a_thread);
     if (tree.kind == AccelKind::brute) {
         tree.kd = single_leaf_tree(triangles);
     } else if (tree.is_bvh()) {
-        tree.bvh = build_wide_bvh(triangles, threads);
+        tree.bvh = build_wide_bvh(triangles, crew);
     } else {
-        tree.kd = build_kd_tree(triangles, threads);
+        tree.kd = build_kd_tree(triangles, crew);
     }
     return tree;
 }

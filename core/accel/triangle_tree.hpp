@@ -8,6 +8,7 @@
 
 #include "accel/bvh/wide_bvh.hpp"
 #include "accel/kd_tree.hpp"
+#include "threads/crew.hpp"
 
 namespace glint {
 
@@ -27,10 +28,10 @@ struct TriangleTree {
     /// The triangles' ids become ids[id].
     void renumber(std::span<const uint32_t> ids);
 
-    /// Of the wished kind, or the best one where that is AccelKind::automatic or does not fit. The triangles' ids count
-    /// from 0. So many threads are allowed; no more than pay are used.
+    /// Of the wished kind, which is not AccelKind::automatic, or a kd-tree where that does not fit. The triangles' ids
+    /// count from 0. So many threads are allowed; no more than pay are used.
     [[nodiscard]] static TriangleTree build(std::span<const TriangleCorners> triangles, AccelKind wish,
-                                            unsigned threads);
+                                            const Crew &crew);
 };
 
 } // namespace glint

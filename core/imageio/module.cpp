@@ -18,19 +18,18 @@ Error unavailable(const std::string &why, std::string hint) {
     return {ErrorCode::unsupported, "image files cannot be read or written: " + why, std::move(hint)};
 }
 
-Result<fs::path> find_module() {
+/// Where the module lies beside Glint's own programs. Other programs learned its folder when they were linked, as they
+/// learn those of libraries: then its bare name is for dlopen() to find.
+std::string find_module() {
     std::error_code error;
     const fs::path executable = fs::read_symlink("/proc/self/exe", error);
-    if (error) return unavailable("the program's own place is unknown: " + error.message(), {});
+    if (error) return module_name;
 
     const fs::path folder = executable.parent_path();
-    const fs::path beside = folder / module_name;
-    const fs::path installed = (folder / GLINT_MODULE_FOLDER_FROM_BIN / module_name).lexically_normal();
-    for (const fs::path &place : {beside, installed}) {
-        if (fs::exists(place, error)) return place;
+    for (const fs::path &place : {folder / module_name, folder / GLINT_MODULE_FOLDER_FROM_BIN / module_name}) {
+        if (fs::exists(place, error)) return place.lexically_normal().string();
     }
-    return unavailable("there is neither '" + beside.string() + "' nor '" + installed.string() + "'",
-                       "install libopenimageio-dev, then configure and build Glint again");
+    return module_name;
 }
 
 template <typename Function> Function *symbol(void *library, const char *name) {
@@ -40,14 +39,14 @@ template <typename Function> Function *symbol(void *library, const char *name) {
 } // namespace
 
 Result<Module> load_module() {
-    const Result<fs::path> place = find_module();
-    if (!place) return place.error();
-
-    void *library = ::dlopen(place->c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    const std::string place = find_module();
+    void *library = ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (!library) {
-        const char *reason = ::dlerror();
-        return unavailable(reason ? reason : "the module does not load",
-                           "install the OpenImageIO library (a package named like libopenimageio2.4)");
+        const char *said = ::dlerror();
+        const std::string reason = said ? said : "the module does not load";
+        return unavailable(reason, reason.starts_with(module_name) // it is the module itself that is missing
+                                       ? "install glint-imageio; or libopenimageio-dev, and build Glint again"
+                                       : "install the OpenImageIO library (a package named like libopenimageio2.4)");
     }
     auto *abi = symbol<glint_imageio_abi_fn>(library, GLINT_IMAGEIO_ABI_NAME);
     Module module;
@@ -56,7 +55,7 @@ Result<Module> load_module() {
     module.release = symbol<glint_imageio_release_fn>(library, GLINT_IMAGEIO_RELEASE_NAME);
     module.decode = symbol<glint_imageio_decode_fn>(library, GLINT_IMAGEIO_DECODE_NAME);
     if (!abi || abi() != GLINT_IMAGEIO_ABI || !module.library || !module.encode || !module.release || !module.decode) {
-        return unavailable("'" + place->string() + "' belongs to another version of Glint", "install both together");
+        return unavailable("'" + place + "' belongs to another version of Glint", "install both together");
     }
     return module;
 }

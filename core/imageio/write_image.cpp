@@ -45,7 +45,7 @@ glint_imageio_picture describe(const Framebuffer &picture, const ImageFormat &fo
         description.is_float = 1;
         description.samples = picture.radiance();
         description.pixel_stride_bytes = 3 * sizeof(float);
-        description.row_stride_bytes = description.pixel_stride_bytes * picture.width_px();
+        description.row_stride_bytes = picture.radiance_stride_bytes();
     } else {
         description.samples = picture.rgba8();
         description.pixel_stride_bytes = 4;

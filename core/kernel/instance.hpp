@@ -39,11 +39,7 @@ void walk_instances(const InstanceView &instances, const PreparedRay &ray, const
     if (instances.count == 0) return;
     PreparedRay wide = ray;
     for (int axis = 0; axis < 3; ++axis) wide.parameter_slack[axis] *= instance_slack;
-    walk_boxes(instances.nodes, wide, t_max, [&](uint32_t i) {
-        const Instance &instance = instances.all[instances.order[i]];
-        const Interval part = clip_to_box(wide, instance.bounds, t_max);
-        return part.t_near <= part.t_far && visit(instance);
-    });
+    walk_boxes(instances.nodes, wide, t_max, [&](uint32_t i) { return visit(instances.all[instances.order[i]]); });
 }
 
 } // namespace glint

@@ -93,8 +93,9 @@ struct KernelFrame {
     Camera camera;
     uint32_t width_px, height_px;
     uint32_t max_depth;
-    uint8_t *rgba8;  ///< tight rows, top row first
-    float *radiance; ///< R, G, B, before the tone curve; may be nullptr
+    uint8_t *rgba8;                                   ///< R, G, B, A, the top row first
+    float *radiance;                                  ///< R, G, B, before the tone curve; may be nullptr
+    size_t rgba8_stride_bytes, radiance_stride_bytes; ///< from a row to the next
     SampleGrid samples;
     float tone_scale; ///< 0 = no tone curve
     bool to_srgb;     ///< whether the bytes are sRGB's

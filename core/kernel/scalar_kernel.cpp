@@ -152,12 +152,12 @@ void render_tile(const KernelScene &scene, const KernelFrame &frame, Tile tile, 
     for (uint32_t y = tile.y0; y < tile.y1; ++y) {
         for (uint32_t x = tile.x0; x < tile.x1; ++x) {
             const Color color = pixel_color(scene, frame, x, y, scratch, nullptr);
-            const size_t pixel = size_t{y} * frame.width_px + x;
-            for (int channel = 0; channel < 3; ++channel) {
-                if (frame.radiance) frame.radiance[pixel * 3 + channel] = color[channel];
-                frame.rgba8[pixel * 4 + channel] = pixel_byte(frame, color[channel]);
-            }
-            frame.rgba8[pixel * 4 + 3] = 255;
+            uint8_t *const bytes = frame.rgba8 + y * frame.rgba8_stride_bytes + size_t{x} * 4;
+            for (int channel = 0; channel < 3; ++channel) bytes[channel] = pixel_byte(frame, color[channel]);
+            bytes[3] = 255;
+            if (!frame.radiance) continue;
+            float *const light = frame.radiance + y * (frame.radiance_stride_bytes / sizeof(float)) + size_t{x} * 3;
+            for (int channel = 0; channel < 3; ++channel) light[channel] = color[channel];
         }
     }
 }

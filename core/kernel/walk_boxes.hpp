@@ -6,7 +6,7 @@
 
 namespace glint {
 
-/// Calls visit(i) for every place i in the order of the boxes, of which there are some, whose leaf the ray may meet
+/// Calls visit(i) for every place i in the order of the boxes, of which there are some, which the ray may meet
 /// before search_end(t_max), until a call returns true. `visit` may lower t_max.
 template <typename Visit>
 void walk_boxes(const BoxNode *nodes, const PreparedRay &ray, const float &t_max, Visit &&visit) {
@@ -18,13 +18,13 @@ void walk_boxes(const BoxNode *nodes, const PreparedRay &ray, const float &t_max
         const Interval part = clip_to_box(ray, node.bounds, t_max);
         if (part.t_near > part.t_far) continue;
         if (node.count == 0) {
-            stack[pending++] = node.first + 1;
-            stack[pending++] = node.first;
+            const Box &first = nodes[node.first].bounds, &second = nodes[node.first + 1].bounds;
+            const uint32_t near = is_second_nearer(first, second, ray.dir.x, ray.dir.y, ray.dir.z) ? 1 : 0;
+            stack[pending++] = node.first + 1 - near;
+            stack[pending++] = node.first + near;
             continue;
         }
-        for (uint32_t i = node.first; i < node.first + node.count; ++i) {
-            if (visit(i)) return;
-        }
+        if (visit(node.first)) return;
     }
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "mesh/obj_lines.hpp"
@@ -27,8 +26,7 @@ constexpr size_t most_to_compare = 1000;
 
 void MaterialLibraries::read(const ObjNames::Library &line) {
     // A name with blanks, as many programs write it, or several names, as the format's authors meant it.
-    std::error_code unknown;
-    if (const Result<fs::path> whole = paths_.find(line.names); whole.ok() && fs::exists(*whole, unknown)) {
+    if (const Result<fs::path> whole = paths_.find(line.names); whole.ok() && paths_.files().is_file(*whole)) {
         return read_file(*whole, line.place.place());
     }
     std::string_view rest = line.names;
@@ -45,8 +43,8 @@ void MaterialLibraries::read(const ObjNames::Library &line) {
 }
 
 void MaterialLibraries::read_file(const fs::path &file, const Place &place) {
-    if (!seen_.insert(real_path(file)).second) return;
-    std::optional<TextFile> text = read_asset(file, kind, options_.max_file_bytes, place, problems_);
+    if (!seen_.insert(real_path(paths_.files(), file)).second) return;
+    std::optional<TextFile> text = read_asset(paths_.files(), file, kind, options_.max_file_bytes, place, problems_);
     if (!text) return;
     Result<MtlFile> library = read_mtl_text(std::move(*text), file.string());
     if (!library.ok()) return problems_.adopt(std::move(library).error(), place);

@@ -95,7 +95,7 @@ Result<ModelFile> read_model_text(TextFile text, const std::filesystem::path &fi
 }
 
 Result<ModelFile> read_model(const std::filesystem::path &file, const ReadOptions &options) {
-    return from_file<ModelFile>(file, options.max_file_bytes, [&](TextFile text) -> Result<ModelFile> {
+    return from_file<ModelFile>(file, options, [&](TextFile text) -> Result<ModelFile> {
         const Result<AssetPaths> paths = AssetPaths::create(file, options);
         if (!paths.ok()) return paths.error();
         TextureLibrary textures(options);

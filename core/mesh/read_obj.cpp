@@ -54,9 +54,8 @@ Result<MeshFile> read_obj_text(TextFile text, const std::string &name, const Sce
 }
 
 Result<MeshFile> read_obj(const std::filesystem::path &file, const ReadOptions &options) {
-    return from_file<MeshFile>(file, options.max_file_bytes, [&](TextFile text) {
-        return read_obj_text(std::move(text), file.string(), options.limits);
-    });
+    return from_file<MeshFile>(
+        file, options, [&](TextFile text) { return read_obj_text(std::move(text), file.string(), options.limits); });
 }
 
 } // namespace glint

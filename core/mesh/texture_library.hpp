@@ -28,6 +28,8 @@ public:
     [[nodiscard]] const std::vector<std::filesystem::path> &files() const { return files_; }
 
 private:
+    [[nodiscard]] Result<Texture> read(const std::filesystem::path &file) const;
+
     const ReadOptions &options_;
     std::map<std::filesystem::path, std::shared_ptr<const Texture>> by_file_; ///< keys without symbolic links
     std::vector<std::filesystem::path> files_;

@@ -15,6 +15,7 @@ public:
     [[nodiscard]] std::byte *at_least(size_t bytes) {
         if (bytes > size_) {
             memory_.reset();
+            size_ = 0;
             memory_.reset(static_cast<std::byte *>(::operator new(bytes, alignment)));
             size_ = bytes;
         }

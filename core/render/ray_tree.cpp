@@ -2,6 +2,7 @@
 #include <glint/ray_tree.hpp>
 
 #include <limits>
+#include <new>
 
 #include "accel/accel_impl.hpp"
 #include "kernel/ray_recorder.hpp"
@@ -154,7 +155,7 @@ std::string pixel_text(uint32_t x, uint32_t y) {
 } // namespace
 
 Result<RayTree> trace_ray_tree(const Accel &accel, const RenderOptions &options, uint32_t width_px, uint32_t height_px,
-                               uint32_t x, uint32_t y) {
+                               uint32_t x, uint32_t y) try {
     if (x >= width_px || y >= height_px) {
         std::string problem = pixel_text(x, y);
         append(problem, " lies outside of a picture of ", width_px);
@@ -185,6 +186,8 @@ Result<RayTree> trace_ray_tree(const Accel &accel, const RenderOptions &options,
     tree.rgba8[3] = 255;
     sum_contributions(tree.rays);
     return tree;
+} catch (const std::bad_alloc &) {
+    return Error::out_of_memory();
 }
 
 } // namespace glint

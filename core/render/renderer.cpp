@@ -1,14 +1,13 @@
 // Hands a picture's tiles to the workers and watches over them.
 #include <glint/renderer.hpp>
 
-#include <chrono>
 #include <mutex>
+#include <new>
 
-#include "kernel/kernel.hpp"
-#include "render/aligned_memory.hpp"
 #include "render/kernel_frame.hpp"
+#include "render/render_job.hpp"
 #include "render/shading_tables.hpp"
-#include "render/tiling.hpp"
+#include "render/tracing.hpp"
 #include "threads/worker_pool.hpp"
 
 namespace glint {
@@ -24,26 +23,57 @@ void RenderControl::reset() {
     tile_count_.store(0);
 }
 
+namespace {
+
+/// What is to be traced.
+struct Picture {
+    KernelScene scene;
+    KernelFrame frame;
+};
+
+} // namespace
+
 struct Renderer::Impl {
     Impl(std::shared_ptr<const Accel> accel_, const RendererOptions &options)
         : accel(std::move(accel_)),
           tables(accel->scene()),
           kernel(kernel_for(options.isa)),
-          pool(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency())),
+          submit(options.submit),
+          pool(Crew(options.threads, submit)),
           workers(pool.threads()) {}
 
-    /// A worker's memory, on cache lines of its own: the ray counts are written all the time.
-    struct alignas(128) Worker {
-        KernelScratch scratch;
-        AlignedMemory memory;
-    };
+    /// Has the renderer to oneself as long as one holds the lock. A job that was started is over then: one helps it,
+    /// since nobody else might.
+    [[nodiscard]] std::unique_lock<std::mutex> take_turn() {
+        while (true) {
+            std::unique_lock lock(one_render);
+            const std::shared_ptr<RenderJob::State> job = started.lock();
+            if (!job || job->is_done()) return lock;
+            lock.unlock();
+            job->help();
+            job->wait_for_picture();
+        }
+    }
+
+    [[nodiscard]] Result<Picture> picture(Framebuffer &target, const RenderOptions &options) const {
+        const KernelScene scene = tables.kernel_scene(*accel);
+        Result<KernelFrame> frame = kernel_frame(accel->scene(), scene, options, target.width_px(), target.height_px());
+        if (!frame) return std::move(frame).error();
+        frame->rgba8 = target.rgba8();
+        frame->rgba8_stride_bytes = target.rgba8_stride_bytes();
+        frame->radiance = target.radiance();
+        frame->radiance_stride_bytes = target.radiance_stride_bytes();
+        return Picture{scene, *frame};
+    }
 
     std::shared_ptr<const Accel> accel;
     ShadingTables tables;
     const Kernel &kernel;
+    const SubmitTask submit;
     WorkerPool pool;
-    std::vector<Worker> workers;
+    std::vector<TracingWorker> workers;
     std::mutex one_render;
+    std::weak_ptr<RenderJob::State> started;
 };
 
 Renderer::Renderer(std::shared_ptr<const Accel> accel, const RendererOptions &options)
@@ -51,7 +81,7 @@ Renderer::Renderer(std::shared_ptr<const Accel> accel, const RendererOptions &op
 Renderer::~Renderer() = default;
 
 void Renderer::set_accel(std::shared_ptr<const Accel> accel) {
-    const std::lock_guard lock(impl_->one_render);
+    const auto turn = impl_->take_turn();
     const Scene &scene = accel->scene();
     if (!scene.is_edit_of(impl_->accel->scene())) impl_->tables = ShadingTables(scene);
     impl_->accel = std::move(accel);
@@ -60,6 +90,9 @@ void Renderer::set_accel(std::shared_ptr<const Accel> accel) {
 unsigned Renderer::threads() const {
     return impl_->pool.threads();
 }
+const SubmitTask &Renderer::submit() const {
+    return impl_->submit;
+}
 const Accel &Renderer::accel() const {
     return *impl_->accel;
 }
@@ -67,50 +100,32 @@ Isa Renderer::isa() const {
     return impl_->kernel.isa;
 }
 
-Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptions &options, RenderControl *control) {
-    const std::lock_guard lock(impl_->one_render);
-    const auto start = std::chrono::steady_clock::now();
-    const KernelScene kernel_scene = impl_->tables.kernel_scene(*impl_->accel);
-    Result<KernelFrame> asked =
-        kernel_frame(impl_->accel->scene(), kernel_scene, options, target.width_px(), target.height_px());
-    if (!asked) return std::move(asked).error();
-    KernelFrame &frame = *asked;
-    frame.rgba8 = target.rgba8();
-    frame.radiance = target.radiance();
-
-    const Tiling tiling(frame.width_px, frame.height_px);
+Result<RenderStatistics> Renderer::render(Framebuffer &target, const RenderOptions &options,
+                                          RenderControl *control) try {
+    const auto turn = impl_->take_turn();
+    Result<Picture> picture = impl_->picture(target, options);
+    if (!picture) return std::move(picture).error();
     RenderControl uncontrolled;
-    RenderControl &watch = control ? *control : uncontrolled;
-    watch.tiles_done_.store(0, std::memory_order_relaxed);
-    watch.tile_count_.store(tiling.count(), std::memory_order_relaxed);
-    const size_t scratch_bytes = impl_->kernel.scratch_bytes(kernel_scene, frame);
-    for (Impl::Worker &worker : impl_->workers) {
-        worker.scratch.rays = {};
-        worker.scratch.memory = worker.memory.at_least(scratch_bytes);
-    }
+    Tracing tracing(impl_->kernel, picture->scene, picture->frame, impl_->workers, control ? *control : uncontrolled);
+    impl_->pool.run([&](unsigned worker) { tracing.work(worker); });
+    return tracing.outcome().result();
+} catch (const std::bad_alloc &) {
+    return Error::out_of_memory();
+}
 
-    TileQueue queue(tiling.count(), impl_->pool.threads());
-    impl_->pool.run([&](unsigned worker) {
-        KernelScratch &scratch = impl_->workers[worker].scratch;
-        for (TileQueue::Run run = queue.next(); run.begin < run.end; run = queue.next()) {
-            uint32_t tile = run.begin;
-            for (; tile < run.end && !watch.cancelled(); ++tile) {
-                impl_->kernel.render_tile(kernel_scene, frame, tiling.tile(tile), scratch);
-            }
-            watch.tiles_done_.fetch_add(tile - run.begin, std::memory_order_relaxed);
-            if (tile < run.end) return;
-        }
-    });
-    if (watch.tiles_done_.load() < tiling.count()) return Error(ErrorCode::cancelled, "the render was cancelled");
-
-    RenderStatistics statistics;
-    for (const Impl::Worker &worker : impl_->workers) {
-        statistics.primary_rays += worker.scratch.rays.primary;
-        statistics.shadow_rays += worker.scratch.rays.shadow;
-        statistics.secondary_rays += worker.scratch.rays.secondary;
-    }
-    statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return statistics;
+Result<RenderJob> Renderer::start(Framebuffer &target, const RenderOptions &options,
+                                  std::function<void()> on_done) try {
+    auto turn = impl_->take_turn();
+    Result<Picture> picture = impl_->picture(target, options);
+    if (!picture) return std::move(picture).error();
+    auto job = std::make_shared<RenderJob::State>(impl_->kernel, picture->scene, picture->frame, impl_->workers,
+                                                  impl_->pool, std::move(on_done));
+    impl_->started = job;
+    turn.unlock();
+    job->begin(impl_->pool.threads(), impl_->submit, job);
+    return RenderJob(std::move(job));
+} catch (const std::bad_alloc &) {
+    return Error::out_of_memory();
 }
 
 } // namespace glint

@@ -55,6 +55,9 @@ public:
         return {count_, count_};
     }
 
+    /// Gives no more.
+    void close() { next_.store(count_, std::memory_order_relaxed); }
+
 private:
     const uint32_t count_, share_;
     alignas(128) std::atomic<uint32_t> next_{0};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include <glint/motion.hpp>
 
@@ -101,7 +102,7 @@ RigidTransform pose_at(const ObjectMotion &motion, double time_s) {
 }
 
 Result<std::shared_ptr<const Scene>> scene_at(const std::shared_ptr<const Scene> &scene, const Animation &animation,
-                                              double time_s) {
+                                              double time_s) try {
     SceneChecker check;
     check_animation(animation, scene->objects(), check);
     if (!std::isfinite(time_s)) check.complain("the time is not finite");
@@ -118,6 +119,8 @@ Result<std::shared_ptr<const Scene>> scene_at(const std::shared_ptr<const Scene>
         return Error(ErrorCode::bad_input, "at " + std::to_string(time_s) + " s: " + *problem);
     }
     return edit.take();
+} catch (const std::bad_alloc &) {
+    return Error::out_of_memory();
 }
 
 Result<std::shared_ptr<const Scene>> scene_at(const std::shared_ptr<const Scene> &scene, double time_s) {

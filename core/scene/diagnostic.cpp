@@ -56,6 +56,10 @@ Error::Error(ErrorCode code_, std::string message, std::string hint) : code(code
     diagnostics.push_back(std::move(diagnostic));
 }
 
+Error Error::out_of_memory() {
+    return {ErrorCode::out_of_memory, "there is not enough memory"};
+}
+
 std::string Error::text() const {
     std::string text;
     for (const Diagnostic &diagnostic : diagnostics) {

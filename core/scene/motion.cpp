@@ -1,6 +1,8 @@
 // Moving the objects of a finished scene.
 #include <glint/motion.hpp>
 
+#include <new>
+
 #include "scene/rigid_check.hpp"
 #include "scene/scene_check.hpp"
 #include "scene/scene_edit.hpp"
@@ -10,7 +12,7 @@ namespace glint {
 SceneEdit::SceneEdit(const Scene &scene) : scene_(new Scene(scene)) {}
 
 Result<std::shared_ptr<const Scene>> with_poses(const std::shared_ptr<const Scene> &scene,
-                                                std::span<const ObjectPose> poses) {
+                                                std::span<const ObjectPose> poses) try {
     SceneEdit edit(*scene);
     SceneChecker check;
     const size_t count = scene->objects().size();
@@ -32,6 +34,8 @@ Result<std::shared_ptr<const Scene>> with_poses(const std::shared_ptr<const Scen
     }
     if (!check.ok()) return Error(ErrorCode::bad_input, check.take_diagnostics());
     return edit.take();
+} catch (const std::bad_alloc &) {
+    return Error::out_of_memory();
 }
 
 } // namespace glint

@@ -2,6 +2,7 @@
 #include <glint/scene.hpp>
 
 #include <algorithm>
+#include <new>
 
 #include "scene/animation_check.hpp"
 #include "scene/camera_check.hpp"
@@ -47,7 +48,7 @@ SceneBuilder &SceneBuilder::set_animation(std::shared_ptr<const Animation> anima
     return animation_ = std::move(animation), *this;
 }
 
-Result<std::shared_ptr<const Scene>> SceneBuilder::build() {
+Result<std::shared_ptr<const Scene>> SceneBuilder::build() try {
     std::shared_ptr<Scene> scene(new Scene);
     scene->objects_ = std::move(objects_);
     scene->lights_ = std::move(lights_);
@@ -97,6 +98,8 @@ Result<std::shared_ptr<const Scene>> SceneBuilder::build() {
     scene->triangle_count_ = static_cast<uint32_t>(triangles);
     scene->skipped_triangles_ = static_cast<uint32_t>(std::min<uint64_t>(check.skipped_triangles(), UINT32_MAX));
     return std::shared_ptr<const Scene>(std::move(scene));
+} catch (const std::bad_alloc &) {
+    return Error::out_of_memory();
 }
 
 } // namespace glint

@@ -12,7 +12,7 @@ namespace glint {
 Result<ConvertedScene> convert_scene_text(TextFile text, const std::filesystem::path &file,
                                           const std::filesystem::path &folder, const ReadOptions &options) {
     return guarded_reading(file, [&]() -> Result<ConvertedScene> {
-        Result<FileNames> names = FileNames::in_folder(folder);
+        Result<FileNames> names = FileNames::in_folder(Files(options.files.get()), folder);
         if (!names.ok()) return std::move(names).error();
         SceneFileReader reader(file, options);
         if (const Status read = reader.read(std::move(text)); !read.ok()) return read.error();

@@ -78,7 +78,7 @@ public:
         std::string_view rest = usage;
         while (!rest.empty()) {
             const size_t end = rest.find(' ') < rest.size() ? rest.find(' ') : rest.size();
-            words_[word_count_++] = rest.substr(0, end);
+            words_[word_count_++] = {static_cast<uint8_t>(usage.size() - rest.size()), static_cast<uint8_t>(end)};
             rest.remove_prefix(end < rest.size() ? end + 1 : end);
         }
     }
@@ -89,15 +89,15 @@ public:
     DirectiveHandler handler;
     Role role;
 
-    [[nodiscard]] constexpr std::string_view keyword() const { return words_[0]; }
+    [[nodiscard]] constexpr std::string_view keyword() const { return word(0); }
     [[nodiscard]] constexpr size_t most_arguments() const { return word_count_ - 1; }
     [[nodiscard]] size_t least_arguments() const;
     /// The name of argument i, from 0; without brackets where it may be missing.
     [[nodiscard]] constexpr std::string_view argument(size_t i) const {
-        const std::string_view word = words_[i + 1];
-        return is_optional(i) ? word.substr(1, word.size() - 2) : word;
+        const std::string_view name = word(i + 1);
+        return is_optional(i) ? name.substr(1, name.size() - 2) : name;
     }
-    [[nodiscard]] constexpr bool is_optional(size_t i) const { return words_[i + 1].starts_with('['); }
+    [[nodiscard]] constexpr bool is_optional(size_t i) const { return word(i + 1).starts_with('['); }
     [[nodiscard]] bool is_path(size_t i) const { return argument(i) == "file" || argument(i) == "file.obj"; }
 
     /// Whether the line's first argument is a path where the form has one, and a number where it has none.
@@ -108,8 +108,17 @@ public:
     [[nodiscard]] bool fits(const Line &line) const;
 
 private:
-    std::array<std::string_view, most_words> words_{};
-    size_t word_count_ = 0;
+    [[nodiscard]] constexpr std::string_view word(size_t i) const {
+        return usage.substr(words_[i].begin, words_[i].size);
+    }
+
+    /// Within the usage, which is no longer than a byte counts. (Two pointers a word would make the table, with what
+    /// the loader must know of pointers, 40 KB of a library for phones.)
+    struct Word {
+        uint8_t begin = 0, size = 0;
+    };
+    std::array<Word, most_words> words_{};
+    uint8_t word_count_ = 0;
 };
 
 /// The table, forms of one keyword side by side.

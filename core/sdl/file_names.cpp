@@ -30,18 +30,19 @@ const char *unwritable(std::string_view name) {
 
 } // namespace
 
-Result<FileNames> FileNames::in_folder(const fs::path &folder) {
+Result<FileNames> FileNames::in_folder(const Files &files, const fs::path &folder) {
     std::error_code missing;
-    fs::path real = fs::canonical(folder.empty() ? fs::path(".") : folder, missing);
-    if (missing || !fs::is_directory(real, missing)) {
+    fs::path real = files.real(folder.empty() ? fs::path(".") : folder, missing);
+    if (missing || !files.is_folder(real)) {
         return Error(ErrorCode::not_found, words("there is no folder ", in_quotes(folder.string())));
     }
-    return FileNames(std::move(real));
+    return FileNames(files, std::move(real));
 }
 
 Result<std::string> FileNames::name_of(const fs::path &file) {
     // The file's own name may be a symbolic link, and stays: what lies beside it, such as materials, is found there.
-    const fs::path real = fs::canonical(fs::absolute(file).parent_path()) / file.filename();
+    const fs::path folder = file.parent_path();
+    const fs::path real = real_path(folder.empty() ? fs::path(".") : folder) / file.filename();
     std::string name = real.lexically_relative(folder_).generic_string();
     if (const char *const what = unwritable(name)) {
         return Error(ErrorCode::bad_input,
@@ -51,13 +52,22 @@ Result<std::string> FileNames::name_of(const fs::path &file) {
     float number = 0.0f;
     if (!read_number(name, number)) name = "./" + name; // lest it be taken for a coefficient
     reach(real);
-    reach(fs::canonical(real));
+    reach(real_path(real));
     return name;
 }
 
+fs::path FileNames::real_path(const fs::path &path) const {
+    std::error_code problem;
+    fs::path real = files_.real(path, problem);
+    if (problem) throw fs::filesystem_error("a mesh is gone", path, problem);
+    return real;
+}
+
 void FileNames::keep(const std::string &name) {
-    reach((folder_ / name).lexically_normal());
-    reach(fs::weakly_canonical(folder_ / name));
+    reach(plain_path(folder_ / name));
+    std::error_code unknown;
+    const fs::path real = files_.nearly_real(folder_ / name, unknown);
+    if (!unknown) reach(real);
 }
 
 void FileNames::reach(const fs::path &file) {

@@ -7,6 +7,8 @@
 
 #include <glint/result.hpp>
 
+#include "text/files.hpp"
+
 namespace glint {
 
 /// Names of files for a scene file that lies in a certain folder: relative to it, with '/', and such that the reader
@@ -14,7 +16,7 @@ namespace glint {
 class FileNames {
 public:
     /// Fails where the folder is not there.
-    [[nodiscard]] static Result<FileNames> in_folder(const std::filesystem::path &folder);
+    [[nodiscard]] static Result<FileNames> in_folder(const Files &files, const std::filesystem::path &folder);
 
     /// The name of a file that exists. Fails, with one diagnostic that names no file, where an SDL file has no way to
     /// write it.
@@ -27,10 +29,14 @@ public:
     [[nodiscard]] std::optional<std::filesystem::path> scene_root() const;
 
 private:
-    explicit FileNames(std::filesystem::path folder) : folder_(std::move(folder)), root_(folder_) {}
+    FileNames(const Files &files, std::filesystem::path folder)
+        : files_(files), folder_(std::move(folder)), root_(folder_) {}
+    /// Of what exists. Throws std::filesystem::filesystem_error.
+    [[nodiscard]] std::filesystem::path real_path(const std::filesystem::path &path) const;
     void reach(const std::filesystem::path &file);
 
-    std::filesystem::path folder_; ///< absolute, without symbolic links, as is root_
+    Files files_;
+    std::filesystem::path folder_; ///< as Files::real() says, as is root_
     std::filesystem::path root_;
 };
 

@@ -53,7 +53,7 @@ std::shared_ptr<const Mesh> MeshLibrary::moved(const std::shared_ptr<const Mesh>
 MeshLibrary::Found MeshLibrary::look_up(const std::string &name, const Place &place, Problems &problems) {
     const std::optional<fs::path> file = find_asset(paths_, name, place, problems);
     if (!file) return {};
-    const auto [entry, is_new] = by_file_.try_emplace(real_path(*file));
+    const auto [entry, is_new] = by_file_.try_emplace(real_path(paths_.files(), *file));
     if (is_new) entry->second = read(*file, place, problems);
     return {entry->second, *file};
 }
@@ -63,13 +63,13 @@ MeshLibrary::FoundModel MeshLibrary::find_model(std::string_view name, const Pla
     if (!is_first) return known->second;
     const std::optional<fs::path> file = find_asset(paths_, name, place, problems);
     if (!file) return {};
-    const auto [entry, is_new] = models_by_file_.try_emplace(real_path(*file));
+    const auto [entry, is_new] = models_by_file_.try_emplace(real_path(paths_.files(), *file));
     if (is_new) entry->second = read_model(*file, place, problems);
     return known->second = {entry->second, *file};
 }
 
 std::optional<TextFile> MeshLibrary::open(const fs::path &path, const Place &place, Problems &problems) {
-    std::optional<TextFile> text = read_asset(path, "mesh", options_.max_file_bytes, place, problems);
+    std::optional<TextFile> text = read_asset(paths_.files(), path, "mesh", options_.max_file_bytes, place, problems);
     if (text && std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
     return text;
 }

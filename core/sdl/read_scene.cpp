@@ -15,6 +15,11 @@ Result<SceneFile> read_scene_text(TextFile text, const std::filesystem::path &fi
     });
 }
 
+Result<SceneFile> read_scene_text(std::string_view text, const std::filesystem::path &file,
+                                  const ReadOptions &options) {
+    return guarded_reading(file, [&] { return read_scene_text(TextFile::copy_of(text), file, options); });
+}
+
 Result<SceneFile> read_scene(const std::filesystem::path &file, const ReadOptions &options) {
     return with_text_of(file, options, [&](TextFile text) { return read_scene_text(std::move(text), file, options); });
 }

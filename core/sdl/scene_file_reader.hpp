@@ -55,7 +55,7 @@ template <typename Use> [[nodiscard]] auto guarded_reading(const std::filesystem
         if (!outcome.ok()) return Outcome(about_file(file, std::move(outcome).error()));
         return outcome;
     } catch (const std::bad_alloc &) {
-        return Outcome(about_file(file, {ErrorCode::limit_exceeded, "there is not enough memory to read this scene"}));
+        return Outcome(about_file(file, {ErrorCode::out_of_memory, "there is not enough memory to read this scene"}));
     } catch (const std::system_error &failure) { // std::filesystem's among them
         return Outcome(about_file(file, {ErrorCode::io, std::string("the file system failed: ") + failure.what()}));
     }
@@ -65,7 +65,7 @@ template <typename Use> [[nodiscard]] auto guarded_reading(const std::filesystem
 template <typename Use>
 [[nodiscard]] auto with_text_of(const std::filesystem::path &file, const ReadOptions &options, const Use &use) {
     return guarded_reading(file, [&]() -> decltype(use(TextFile())) {
-        Result<TextFile> text = read_text_file(file, options.max_file_bytes);
+        Result<TextFile> text = Files(options.files.get()).read(file, options.max_file_bytes);
         if (!text.ok()) return std::move(text).error();
         return use(std::move(text).value());
     });

@@ -21,9 +21,9 @@ std::optional<fs::path> find_asset(const AssetPaths &paths, std::string_view nam
     return std::nullopt;
 }
 
-std::optional<TextFile> read_asset(const fs::path &file, std::string_view kind, uint64_t max_bytes, const Place &place,
-                                   Problems &problems) {
-    Result<TextFile> text = read_text_file(file, max_bytes);
+std::optional<TextFile> read_asset(const Files &files, const fs::path &file, std::string_view kind, uint64_t max_bytes,
+                                   const Place &place, Problems &problems) {
+    Result<TextFile> text = files.read(file, max_bytes);
     if (text.ok()) return std::move(text).value();
     for (const Diagnostic &diagnostic : text.error().diagnostics) {
         problems.error(place, words(kind, ' ', path_in_quotes(file.string()), ": ", diagnostic.message),
@@ -32,9 +32,9 @@ std::optional<TextFile> read_asset(const fs::path &file, std::string_view kind, 
     return std::nullopt;
 }
 
-fs::path real_path(const fs::path &file) {
+fs::path real_path(const Files &files, const fs::path &file) {
     std::error_code unknown;
-    fs::path real = fs::canonical(file, unknown);
+    fs::path real = files.real(file, unknown);
     return unknown ? file : real;
 }
 

@@ -18,10 +18,11 @@ namespace glint {
 
 /// The text of a file that is named at `place`. `kind` is what messages call it ("mesh"). Why it cannot be read is
 /// reported.
-[[nodiscard]] std::optional<TextFile> read_asset(const std::filesystem::path &file, std::string_view kind,
-                                                 uint64_t max_bytes, const Place &place, Problems &problems);
+[[nodiscard]] std::optional<TextFile> read_asset(const Files &files, const std::filesystem::path &file,
+                                                 std::string_view kind, uint64_t max_bytes, const Place &place,
+                                                 Problems &problems);
 
 /// The file's one name without symbolic links; `file` itself where the system does not tell.
-[[nodiscard]] std::filesystem::path real_path(const std::filesystem::path &file);
+[[nodiscard]] std::filesystem::path real_path(const Files &files, const std::filesystem::path &file);
 
 } // namespace glint

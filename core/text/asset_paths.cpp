@@ -20,14 +20,15 @@ fs::path or_here(fs::path folder) {
 } // namespace
 
 Result<AssetPaths> AssetPaths::create(const fs::path &scene_file, const ReadOptions &options) {
-    AssetPaths paths;
+    AssetPaths paths{Files(options.files.get())};
+    const Files &files = paths.files_;
     paths.allow_outside_root_ = options.allow_outside_root;
     const fs::path shown = scene_file.parent_path();
     const fs::path root = options.scene_root.empty() ? or_here(shown) : options.scene_root;
     std::error_code no_root, no_folder;
-    paths.root_ = fs::canonical(root, no_root);
-    fs::path folder = fs::canonical(or_here(shown), no_folder);
-    if (no_root || !fs::is_directory(paths.root_, no_root)) {
+    paths.root_ = files.real(root, no_root);
+    fs::path folder = files.real(or_here(shown), no_folder);
+    if (no_root || !files.is_folder(paths.root_)) {
         return Error(ErrorCode::not_found, words("the scene root ", path_in_quotes(root.string()), " is not a folder"));
     }
     if (no_folder) {
@@ -52,13 +53,13 @@ void AssetPaths::look_from(const fs::path &shown, fs::path real) {
 }
 
 AssetPaths AssetPaths::beside(const fs::path &file, std::string_view kind) const {
-    AssetPaths paths;
+    AssetPaths paths(files_);
     paths.root_ = root_;
     paths.allow_outside_root_ = allow_outside_root_;
     paths.kind_ = kind;
     std::error_code unknown;
     const fs::path shown = file.parent_path();
-    fs::path real = fs::canonical(or_here(shown), unknown);
+    fs::path real = files_.real(or_here(shown), unknown);
     paths.look_from(shown, unknown ? shown : std::move(real));
     return paths;
 }
@@ -68,7 +69,7 @@ bool AssetPaths::holds(const fs::path &real) const {
 }
 
 std::string AssetPaths::outside_message(std::string_view name) const {
-    return words("the path ", path_in_quotes(name), " leaves the scene root ", path_in_quotes(root_.string()));
+    return words("the path ", path_in_quotes(name), " leaves the scene root ", path_in_quotes(or_here(root_).string()));
 }
 
 Result<fs::path> AssetPaths::find(std::string_view name) const {
@@ -77,18 +78,16 @@ Result<fs::path> AssetPaths::find(std::string_view name) const {
     for (const Folder &folder : folders_) {
         const fs::path candidate = folder.shown / relative;
         if (!allow_outside_root_) {
-            const bool written_inside = holds((folder.real / relative).lexically_normal());
+            const bool written_inside = holds(plain_path(folder.real / relative));
             std::error_code unknown;
-            const fs::path real = fs::weakly_canonical(folder.real / relative, unknown);
+            const fs::path real = files_.nearly_real(folder.real / relative, unknown);
             const bool really_inside = unknown ? written_inside : holds(real);
             if (written_inside && !really_inside) {
                 return Error(ErrorCode::bad_input, outside_message(name) + " through a symbolic link");
             }
             if (!really_inside) continue;
         }
-        std::error_code unknown;
-        const fs::file_type type = fs::status(candidate, unknown).type();
-        if (type != fs::file_type::not_found) return candidate;
+        if (files_.may_exist(candidate)) return candidate;
         if (!tried.empty()) tried += ", ";
         tried += candidate.lexically_normal().string();
         if (relative.is_absolute()) break;
@@ -106,14 +105,14 @@ Result<fs::path> AssetPaths::find(std::string_view name) const {
 /// "; --scene-root DIR would find X", where a folder above the scene has the file and the root keeps it from being
 /// found; else nothing.
 std::string AssetPaths::wider_root_hint(const fs::path &relative) const {
-    if (relative.is_absolute() || allow_outside_root_) return {};
+    if (relative.is_absolute() || allow_outside_root_ || !files_.are_of_system()) return {};
     for (fs::path folder = folders_.front().real;; folder = folder.parent_path()) {
         const fs::path candidate = folder / relative;
-        std::error_code unknown;
-        if (fs::is_regular_file(candidate, unknown)) {
+        if (files_.is_file(candidate)) {
+            std::error_code unknown;
             // The root must hold the folder that was looked in, the name as written and what it leads to.
             fs::path root = common_folder(common_folder(root_, folder), candidate.lexically_normal());
-            root = common_folder(root, fs::weakly_canonical(candidate, unknown));
+            root = common_folder(root, files_.nearly_real(candidate, unknown));
             return words("; --scene-root ", root.string(), " would find ", candidate.lexically_normal().string());
         }
         if (folder == folder.root_path()) return {};
@@ -123,7 +122,7 @@ std::string AssetPaths::wider_root_hint(const fs::path &relative) const {
 std::optional<std::string> AssetPaths::output_problem(std::string_view name) const {
     if (allow_outside_root_) return std::nullopt;
     std::error_code unknown;
-    const fs::path real = fs::weakly_canonical(folders_.front().real / fs::path(name), unknown);
+    const fs::path real = files_.nearly_real(folders_.front().real / fs::path(name), unknown);
     if (!unknown && holds(real)) return std::nullopt;
     return outside_message(name);
 }

@@ -9,6 +9,8 @@
 
 #include <glint/read.hpp>
 
+#include "text/files.hpp"
+
 namespace glint {
 
 /// Looks for files in the folder of the file that names them, then in each folder above it up to the scene root. What
@@ -18,6 +20,8 @@ class AssetPaths {
 public:
     /// Fails where the scene root does not exist or does not hold the scene file.
     [[nodiscard]] static Result<AssetPaths> create(const std::filesystem::path &scene_file, const ReadOptions &options);
+
+    [[nodiscard]] const Files &files() const { return files_; }
 
     /// The same root, for the names in another file that was found in it. `kind` is what messages call that file.
     [[nodiscard]] AssetPaths beside(const std::filesystem::path &file, std::string_view kind) const;
@@ -33,17 +37,18 @@ public:
 private:
     struct Folder {
         std::filesystem::path shown; ///< as the user wrote it, where the user did
-        std::filesystem::path real;  ///< absolute, without symbolic links
+        std::filesystem::path real;  ///< as Files::real() says, as is root_
     };
 
-    AssetPaths() = default;
+    explicit AssetPaths(const Files &files) : files_(files) {}
     void look_from(const std::filesystem::path &shown, std::filesystem::path real);
     [[nodiscard]] bool holds(const std::filesystem::path &real) const;
     [[nodiscard]] std::string outside_message(std::string_view name) const;
     [[nodiscard]] std::string wider_root_hint(const std::filesystem::path &relative) const;
 
-    std::vector<Folder> folders_;     ///< in the order of looking
-    std::filesystem::path root_;      ///< absolute, without symbolic links
+    Files files_;
+    std::vector<Folder> folders_; ///< in the order of looking
+    std::filesystem::path root_;
     std::string kind_ = "scene file"; ///< of file that names others
     bool allow_outside_root_ = false;
 };

@@ -7,8 +7,16 @@ namespace glint {
 
 namespace fs = std::filesystem;
 
+fs::path plain_path(const fs::path &path) {
+    fs::path plain = path.lexically_normal();
+    if (!plain.has_filename()) plain = plain.parent_path();
+    return plain == "." ? fs::path() : plain;
+}
+
 bool is_within(const fs::path &path, const fs::path &folder) {
-    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+    if (path.is_absolute() != folder.is_absolute()) return false;
+    const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+    return end == folder.end() && (rest == path.end() || *rest != "..");
 }
 
 fs::path common_folder(const fs::path &a, const fs::path &b) {

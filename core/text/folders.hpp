@@ -5,7 +5,11 @@
 
 namespace glint {
 
-// Paths are absolute and normal: no dots, no symbolic links.
+/// The path as its letters say it: without "." and "..", where those can be resolved, and without a '/' at its end;
+/// empty for the folder that it begins in.
+[[nodiscard]] std::filesystem::path plain_path(const std::filesystem::path &path);
+
+// Paths are absolute and without symbolic links, or those of a FileSource, and plain.
 
 /// Whether the path is the folder or something in it.
 [[nodiscard]] bool is_within(const std::filesystem::path &path, const std::filesystem::path &folder);

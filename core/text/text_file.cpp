@@ -59,6 +59,10 @@ const char *kind_problem(const struct stat &status) {
 
 } // namespace
 
+Error file_too_large(uint64_t size_bytes, uint64_t max_bytes) {
+    return {ErrorCode::limit_exceeded, words("the file has ", size_bytes, " bytes, the limit is ", max_bytes)};
+}
+
 Result<TextFile> read_text_file(const std::filesystem::path &path, uint64_t max_bytes) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) return system_error(errno);
@@ -71,14 +75,12 @@ Result<TextFile> read_text_file(const std::filesystem::path &path, uint64_t max_
     if (const char *problem = kind_problem(status)) return Error(ErrorCode::not_found, problem);
 
     const auto size = static_cast<uint64_t>(status.st_size);
-    if (size > max_bytes) {
-        return Error(ErrorCode::limit_exceeded, words("the file has ", size, " bytes, the limit is ", max_bytes));
-    }
+    if (size > max_bytes) return file_too_large(size, max_bytes);
     TextFile text;
     // One byte more is asked for than stat promised: a file that has grown since gives it, and is refused.
     if (size < std::numeric_limits<size_t>::max()) text.bytes.reset(new (std::nothrow) char[size_t(size) + 1]);
     if (!text.bytes) {
-        return Error(ErrorCode::limit_exceeded, words("there is no memory for the file's ", size, " bytes"));
+        return Error(ErrorCode::out_of_memory, words("there is no memory for the file's ", size, " bytes"));
     }
     while (text.size <= size) {
         const ssize_t got = ::read(file.get(), text.bytes.get() + text.size, size_t(size) + 1 - text.size);

@@ -3,6 +3,29 @@
 
 namespace glint {
 
+void Piece::append_to(std::string &text) const {
+    switch (kind_) {
+    case Kind::text:
+        text += text_;
+        break;
+    case Kind::character:
+        text += static_cast<char>(number_);
+        break;
+    case Kind::signed_number:
+        text += std::to_string(static_cast<int64_t>(number_));
+        break;
+    case Kind::unsigned_number:
+        text += std::to_string(number_);
+        break;
+    }
+}
+
+std::string join(std::span<const Piece> pieces) {
+    std::string text;
+    for (const Piece &piece : pieces) piece.append_to(text);
+    return text;
+}
+
 size_t utf8_length(std::string_view text) {
     const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
     const auto continues = [&](size_t i) { return (byte(i) & 0xc0u) == 0x80u; };

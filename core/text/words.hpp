@@ -3,25 +3,41 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
 namespace glint {
 
+/// A text or a whole number, as words() takes them.
+class Piece {
+public:
+    Piece(const char *text) : text_(text) {}
+    Piece(std::string_view text) : text_(text) {}
+    Piece(const std::string &text) : text_(text) {}
+    Piece(char character) : number_(static_cast<unsigned char>(character)), kind_(Kind::character) {}
+    template <typename Number>
+        requires std::is_integral_v<Number>
+    Piece(Number number)
+        : number_(static_cast<uint64_t>(number)),
+          kind_(std::is_signed_v<Number> ? Kind::signed_number : Kind::unsigned_number) {}
+
+    void append_to(std::string &text) const;
+
+private:
+    enum class Kind : uint8_t { text, character, signed_number, unsigned_number };
+    std::string_view text_;
+    uint64_t number_ = 0;
+    Kind kind_ = Kind::text;
+};
+
+[[nodiscard]] std::string join(std::span<const Piece> pieces);
+
 /// The pieces - texts and whole numbers - one behind the other.
 template <typename... Pieces> [[nodiscard]] std::string words(const Pieces &...pieces) {
-    std::string text;
-    const auto append = [&text](const auto &piece) {
-        if constexpr (std::is_integral_v<std::decay_t<decltype(piece)>> &&
-                      !std::is_same_v<std::decay_t<decltype(piece)>, char>) {
-            text += std::to_string(piece);
-        } else {
-            text += piece;
-        }
-    };
-    (append(pieces), ...);
-    return text;
+    const Piece all[] = {Piece(pieces)...};
+    return join(all);
 }
 
 /// The text between single quotes. Control bytes and bytes that are not UTF-8 show as \xNN; a long text is cut with

@@ -1,16 +1,17 @@
 // A loop whose turns are shared out among threads.
 #include "threads/parallel_for.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 
+#include "threads/shared_work.hpp"
 #include "threads/thread_group.hpp"
 
 namespace glint {
 
-void parallel_for(size_t count, unsigned threads, const std::function<void(size_t, unsigned)> &body) {
+void parallel_for(size_t count, const Crew &crew, const std::function<void(size_t, unsigned)> &body) {
     std::atomic<size_t> next = 0;
     std::mutex mutex;
     std::exception_ptr failure;
@@ -23,11 +24,14 @@ void parallel_for(size_t count, unsigned threads, const std::function<void(size_
             if (!failure) failure = std::current_exception();
         }
     };
-    {
+    const auto wanted = static_cast<unsigned>(std::min<size_t>(crew.threads, count));
+    if (crew.host && wanted > 1) {
+        work_on_host(*crew.host, wanted, work);
+    } else {
         ThreadGroup others;
         try {
-            for (unsigned i = 1; i < threads && i < count; ++i) others.start([&work, i] { work(i); });
-        } catch (const std::system_error &) {
+            for (unsigned i = 1; i < wanted; ++i) others.start([&work, i] { work(i); });
+        } catch (const std::exception &) {
             // The system gives no more threads: go on with those there are.
         }
         work(0);

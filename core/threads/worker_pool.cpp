@@ -1,35 +1,24 @@
 // Threads that wait close by.
 #include "threads/worker_pool.hpp"
 
-#include <chrono>
-#include <system_error>
+#include <algorithm>
+#include <exception>
+
+#include "threads/shared_work.hpp"
+#include "threads/wait_for_change.hpp"
 
 namespace glint {
 
-namespace {
-
-/// Waits until the value differs from `old`: yielding for a moment, since the next frame may come at once, then asleep.
-void wait_for_change(const std::atomic<uint32_t> &value, uint32_t old) {
-    const auto patience = std::chrono::steady_clock::now() + std::chrono::microseconds(50);
-    while (value.load(std::memory_order_acquire) == old) {
-        std::this_thread::yield();
-        if (std::chrono::steady_clock::now() > patience) {
-            value.wait(old, std::memory_order_acquire);
-            return;
-        }
-    }
-}
-
-} // namespace
-
-WorkerPool::WorkerPool(unsigned threads) {
+WorkerPool::WorkerPool(const Crew &crew) : host_(crew.host), threads_(std::max(1u, crew.threads)) {
+    if (host_) return;
     try {
-        for (unsigned worker = 1; worker < threads; ++worker) {
+        for (unsigned worker = 1; worker < threads_; ++worker) {
             workers_.start([this, worker] { live(worker); });
         }
-    } catch (const std::system_error &) {
-        // Fewer threads trace the same picture.
+    } catch (const std::exception &) {
+        // The system gives no more threads: fewer do the same work.
     }
+    threads_ = static_cast<unsigned>(workers_.count()) + 1;
 }
 
 WorkerPool::~WorkerPool() {
@@ -40,6 +29,7 @@ WorkerPool::~WorkerPool() {
 }
 
 void WorkerPool::run(const std::function<void(unsigned)> &work) {
+    if (host_) return work_on_host(*host_, threads_, work);
     work_ = &work;
     open_.store(true);
     epoch_.fetch_add(1);

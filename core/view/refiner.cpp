@@ -52,7 +52,7 @@ Status Refiner::Impl::take_memory() {
     Result<Framebuffer> framebuffer = Framebuffer::create(width_px, height_px);
     if (!framebuffer) return framebuffer.error();
     sums.reset(new (std::nothrow) float[pixels * 3]);
-    if (!sums) return Error(ErrorCode::limit_exceeded, "no memory for the sums of a picture's samples");
+    if (!sums) return Error(ErrorCode::out_of_memory, "no memory for the sums of a picture's samples");
     is_added.assign((pixels + band_px - 1) / band_px, 0);
     sample = std::move(framebuffer).value();
     return Done{};
@@ -77,7 +77,7 @@ Result<RenderStatistics> Refiner::Impl::take_sample(Renderer &renderer, RenderCo
 bool Refiner::Impl::show(const Renderer &renderer, Framebuffer &target, const RenderControl *control) {
     const float tone_scale = renderer.accel().scene().picture().tone_scale;
     has_shown = false;
-    parallel_for(is_added.size(), renderer.threads(), [&](size_t band, unsigned) {
+    parallel_for(is_added.size(), Crew(renderer.threads(), renderer.submit()), [&](size_t band, unsigned) {
         if (!control || !control->cancelled()) show_band(band, target, tone_scale);
     });
     if (control && control->cancelled()) return false;
@@ -96,8 +96,16 @@ void Refiner::Impl::show_band(size_t band, Framebuffer &target, float tone_scale
         is_added[band] = 1;
     }
     const float share = 1.0f / static_cast<float>(samples_done + (is_adding ? 1 : 0));
-    show_average(sums.get() + 3 * begin, {share, tone_scale, options.transfer == Transfer::srgb}, end - begin,
-                 target.rgba8() + 4 * begin, target.has_radiance() ? target.radiance() + 3 * begin : nullptr);
+    const Averaging how{share, tone_scale, options.transfer == Transfer::srgb};
+    const size_t light_stride = target.radiance_stride_bytes() / sizeof(float);
+    // By rows, since the target may have gaps between them.
+    for (size_t at = begin; at < end;) {
+        const size_t y = at / width_px, x = at % width_px;
+        const size_t count = std::min(end - at, width_px - x);
+        show_average(sums.get() + 3 * at, how, count, target.rgba8() + y * target.rgba8_stride_bytes() + 4 * x,
+                     target.has_radiance() ? target.radiance() + y * light_stride + 3 * x : nullptr);
+        at += count;
+    }
 }
 
 Refiner::Refiner(const RenderOptions &options) : impl_(std::make_unique<Impl>()) {
@@ -120,7 +128,7 @@ uint32_t Refiner::samples_done() const {
     return impl_->samples_done;
 }
 
-Result<RenderStatistics> Refiner::next(Renderer &renderer, Framebuffer &target, RenderControl *control) {
+Result<RenderStatistics> Refiner::next(Renderer &renderer, Framebuffer &target, RenderControl *control) try {
     Impl &impl = *impl_;
     const auto start = std::chrono::steady_clock::now();
     if (target.width_px() != impl.width_px || target.height_px() != impl.height_px) {
@@ -146,6 +154,8 @@ Result<RenderStatistics> Refiner::next(Renderer &renderer, Framebuffer &target, 
     if (!impl.show(renderer, target, control)) return Error(ErrorCode::cancelled, "the refinement was cancelled");
     statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return statistics;
+} catch (const std::bad_alloc &) {
+    return Error::out_of_memory();
 }
 
 } // namespace glint

@@ -23,21 +23,27 @@ USES = {
     "core/kernel": ("core/math", "core/scene", "core/accel", "core/image"),
     "core/render": ("core/math", "core/threads", "core/scene", "core/accel", "core/image", "core/kernel"),
     "core/view": ("core/math", "core/threads", "core/scene", "core/image"),
+    "core/c": ("core/math", "core/scene", "core/view"),
     "core/imageio": ("core/image",),
     "platform/gles": (),
     "platform/egl": ("platform/gles",),
     "platform/osmesa": ("platform/gles",),
     "platform/viewer/hud": (),
     "platform/viewer": ("platform/gles", "platform/egl", "platform/osmesa", "platform/viewer/hud"),
+    # The view on a phone moves, traces and shows with the desktop viewer's own parts.
+    "platform/android": ("platform/gles", "platform/egl", "platform/viewer"),
     # Peers wait for work in the same pool of threads as Glint does, so that waking up costs all the same.
     "bench/peers": (),
     "bench/peers/embree": ("bench/peers", "core/threads"),
     "bench/peers/tinyobj": ("bench/peers",),
     # What the presenter could do instead is measured with its own tools.
     "bench/presenting": ("platform/gles",),
+    "bench/instructions": (),
     "bench": ("bench/peers", "bench/peers/embree", "bench/peers/tinyobj", "bench/presenting", "core/threads"),
     "apps/glint": ("bench", "platform/viewer"),
     "scenes/generate": (),
+    # What others write: they see what is installed.
+    "examples": (),
 }
 
 # Where "room/file.hpp" is looked for, as the compiler does.
@@ -51,10 +57,13 @@ LIBRARIES = {
     "fast_float/": ("core/text",),
     "hwy/": ("core/kernel",),
     "OpenImageIO/": ("core/imageio",),
-    "EGL/": ("platform/egl",),
+    "EGL/": ("platform/egl", "examples"),
+    "stdio.h": ("examples",),
     "GLES2/": ("platform/gles",),
-    "GLES3/": ("platform/gles",),
-    "SDL2/": ("platform/viewer",),
+    "GLES3/": ("platform/gles", "examples"),
+    "SDL2/": ("platform/viewer", "examples"),
+    "jni.h": ("platform/android",),
+    "android/": ("platform/android",),
     "CLI/": ("apps",),
     "fmt/": ("apps", "bench"),
     "nlohmann/": ("apps", "bench"),
@@ -141,7 +150,7 @@ class Source:
         """Public headers of the core are for all, those of a platform for whoever may use that platform."""
         for platform in (self.root / "platform").glob("*/include"):
             if (platform / name).is_file():
-                if is_inside(self.room, "bench") or self.room == "apps/glint":
+                if is_inside(self.room, "bench") or self.room in ("apps/glint", "examples"):
                     return None
                 return self.about_room(f"platform/{platform.parent.name}")
         return None if (self.root / "core/include" / name).is_file() else "there is no such public header"

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <utility>
 
+#include <glint/animation.hpp>
+
 #include "fuzz/budget.hpp"
 #include "fuzz/scene_place.hpp"
 #include "fuzz/verdict.hpp"
@@ -35,6 +37,14 @@ void require_picture(const std::shared_ptr<const Scene> &scene) {
     }
 }
 
+/// What moves is valid at any moment, or there is a reason: the eye may come to its target.
+void require_later_moment(const std::shared_ptr<const Scene> &scene) {
+    const auto later = scene_at(scene, 1.0);
+    if (!later.ok()) return fuzz::require(!later.error().text().empty(), "a moment that fails has no reason");
+    fuzz::require_valid(**later);
+    require_picture(*later);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -49,6 +59,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
     fuzz::require_valid(*file->scene);
     fuzz::require_words(file->warnings);
-    if (most_rays(*file->scene) < 100'000) require_picture(file->scene);
+    if (most_rays(*file->scene) >= 100'000) return 0;
+    require_picture(file->scene);
+    if (file->scene->animation()) require_later_moment(file->scene);
     return 0;
 }

@@ -103,6 +103,28 @@ TEST_F(WriteImage, exr_holds_exactly_the_radiance_bits) {
     EXPECT_EQ(std::memcmp(file.floats.data(), picture.radiance(), file.floats.size() * sizeof(float)), 0);
 }
 
+TEST_F(WriteImage, leaves_out_what_lies_between_rows) {
+    const Framebuffer picture = noisy_picture();
+    constexpr size_t stride = small_width * 4 + 20, light_stride = small_width * 3 + 5; // bytes and floats
+    std::vector<uint8_t> bytes(stride * small_height, 77);
+    std::vector<float> light(light_stride * small_height, 77.0f);
+    for (size_t y = 0; y < small_height; ++y) {
+        std::copy_n(picture.rgba8() + y * small_width * 4, small_width * 4, bytes.data() + y * stride);
+        std::copy_n(picture.radiance() + y * small_width * 3, small_width * 3, light.data() + y * light_stride);
+    }
+    const auto wrapped =
+        Framebuffer::wrap(small_width, small_height, bytes.data(), stride, light.data(), light_stride * sizeof(float));
+    ASSERT_TRUE(wrapped.ok());
+    for (const char *name : {"a.png", "a.bmp"}) {
+        ASSERT_TRUE(write_image(in_folder(name), *wrapped).ok());
+        EXPECT_EQ(read_back(in_folder(name)).bytes, name[2] == 'p' ? rgba_of(picture) : rgb_of(picture)) << name;
+    }
+    ASSERT_TRUE(write_image(in_folder("a.exr"), *wrapped).ok());
+    const ReadBack file = read_back(in_folder("a.exr"));
+    ASSERT_EQ(file.floats.size(), size_t{3} * small_width * small_height);
+    EXPECT_EQ(std::memcmp(file.floats.data(), picture.radiance(), file.floats.size() * sizeof(float)), 0);
+}
+
 TEST_F(WriteImage, hdr_holds_the_radiance_to_the_precision_of_its_shared_exponent) {
     const Framebuffer picture = noisy_picture();
     ASSERT_TRUE(write_image(in_folder("a.hdr"), picture).ok());

@@ -9,9 +9,7 @@ namespace glint::test {
 
 /// Without a byte behind the last one, so that sanitizers see whoever reads further.
 [[nodiscard]] inline TextFile text_in_memory(std::string_view text) {
-    TextFile file{std::unique_ptr<char[]>(new char[text.size()]), text.size()};
-    text.copy(file.bytes.get(), text.size());
-    return file;
+    return TextFile::copy_of(text);
 }
 
 } // namespace glint::test

@@ -14,9 +14,9 @@ namespace {
 /// The whole building site.
 class Builder {
 public:
-    Builder(std::span<const TriangleCorners> triangles, unsigned threads)
-        : threads_(threads), count_(static_cast<uint32_t>(triangles.size())), items_(count_), other_(count_) {
-        parallel_for_pieces(count_, piece, threads_, [&](size_t begin, size_t end) {
+    Builder(std::span<const TriangleCorners> triangles, const Crew &crew)
+        : crew_(crew), count_(static_cast<uint32_t>(triangles.size())), items_(count_), other_(count_) {
+        parallel_for_pieces(count_, piece, crew_, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 const Box box = triangles[i].bounds();
                 const float id = bit_cast<float>(static_cast<uint32_t>(i));
@@ -51,7 +51,7 @@ public:
         }
         std::stable_sort(subtrees.begin(), subtrees.end(),
                          [](const Site &a, const Site &b) { return a.range.count() > b.range.count(); });
-        parallel_for(subtrees.size(), threads_, [&](size_t i, unsigned) { grow(subtrees[i]); });
+        parallel_for(subtrees.size(), crew_, [&](size_t i, unsigned) { grow(subtrees[i]); });
         return std::move(bvh_);
     }
 
@@ -72,7 +72,7 @@ private:
     TriangleRange measure(TriangleRange range, std::span<const BoundedTriangle> items) {
         const size_t pieces = (range.count() + piece - 1) / piece;
         std::vector<TriangleRange> parts(pieces, TriangleRange{0, 0, {}, {}});
-        parallel_for_pieces(range.count(), piece, threads_, [&](size_t begin, size_t end) {
+        parallel_for_pieces(range.count(), piece, crew_, [&](size_t begin, size_t end) {
             TriangleRange &part = parts[begin / piece];
             for (const BoundedTriangle &item : items.subspan(range.begin + begin, end - begin)) {
                 part.box.extend({item.lo, item.hi});
@@ -94,7 +94,7 @@ private:
         const Binning binning(range.centres);
         const size_t pieces = (from.size() + piece - 1) / piece;
         std::vector<CentreBins> bins(pieces);
-        parallel_for_pieces(from.size(), piece, threads_, [&](size_t begin, size_t end) {
+        parallel_for_pieces(from.size(), piece, crew_, [&](size_t begin, size_t end) {
             binning.put(from.subspan(begin, end - begin), bins[begin / piece]);
         });
         CentreBins all;
@@ -114,7 +114,7 @@ private:
             }
         }
         std::vector<Bounds> left_centres(pieces), right_centres(pieces);
-        parallel_for_pieces(from.size(), piece, threads_, [&](size_t begin, size_t end) {
+        parallel_for_pieces(from.size(), piece, crew_, [&](size_t begin, size_t end) {
             const size_t number = begin / piece;
             uint32_t l = lefts[number], r = rights[number];
             for (const BoundedTriangle &item : from.subspan(begin, end - begin)) {
@@ -163,7 +163,7 @@ private:
         for (uint32_t i = root.range.begin; i < root.range.end; ++i) bvh_.triangle_ids[i] = items[i].triangle_id();
     }
 
-    unsigned threads_;
+    Crew crew_;
     uint32_t count_;
     UninitializedVector<BoundedTriangle> items_, other_;
     BinaryBvh bvh_;
@@ -171,8 +171,8 @@ private:
 
 } // namespace
 
-BinaryBvh build_binary_bvh(std::span<const TriangleCorners> triangles, unsigned threads) {
-    return Builder(triangles, threads).build();
+BinaryBvh build_binary_bvh(std::span<const TriangleCorners> triangles, const Crew &crew) {
+    return Builder(triangles, crew).build();
 }
 
 } // namespace glint

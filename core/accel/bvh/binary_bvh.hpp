@@ -7,6 +7,7 @@
 #include "accel/triangle_data.hpp"
 #include "accel/uninitialized_vector.hpp"
 #include "math/box.hpp"
+#include "threads/crew.hpp"
 
 namespace glint {
 
@@ -35,6 +36,6 @@ inline constexpr uint32_t max_binary_depth = 64;
 
 /// Top down; splits minimise the surface area heuristic over bins of the triangles' centres (Wald 2007, "On fast
 /// construction of SAH-based bounding volume hierarchies"). The result does not depend on the number of threads.
-[[nodiscard]] BinaryBvh build_binary_bvh(std::span<const TriangleCorners> triangles, unsigned threads);
+[[nodiscard]] BinaryBvh build_binary_bvh(std::span<const TriangleCorners> triangles, const Crew &crew);
 
 } // namespace glint

@@ -68,11 +68,11 @@ private:
 };
 
 /// Leaves keep the places that their triangles have in the binary hierarchy.
-void write_leaves(const BinaryBvh &binary, std::span<const TriangleCorners> triangles, unsigned threads,
+void write_leaves(const BinaryBvh &binary, std::span<const TriangleCorners> triangles, const Crew &crew,
                   WideBvh &wide) {
     wide.leaf_words.resize(binary.triangle_ids.size() * words_per_reference + leaf_padding);
     std::fill(wide.leaf_words.end() - leaf_padding, wide.leaf_words.end(), 0u);
-    parallel_for_pieces(wide.nodes.size(), 1 << 10, threads, [&](size_t begin, size_t end) {
+    parallel_for_pieces(wide.nodes.size(), 1 << 10, crew, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             for (const uint32_t word : wide.nodes[i].child) {
                 const ChildLink child(word);
@@ -86,16 +86,16 @@ void write_leaves(const BinaryBvh &binary, std::span<const TriangleCorners> tria
 
 } // namespace
 
-WideBvh build_wide_bvh(std::span<const TriangleCorners> triangles, unsigned threads) {
+WideBvh build_wide_bvh(std::span<const TriangleCorners> triangles, const Crew &crew) {
     WideBvh wide;
-    const BinaryBvh binary = build_binary_bvh(triangles, threads);
+    const BinaryBvh binary = build_binary_bvh(triangles, crew);
     const BinaryNode &root = binary.nodes[0];
     wide.bounds.lo = {root.lo[0], root.lo[1], root.lo[2]};
     wide.bounds.hi = {root.hi[0], root.hi[1], root.hi[2]};
     wide.nodes.reserve(triangles.size() / 16 + 16);
     Collapse(binary, wide).make_node(0);
     wide.nodes.shrink_to_fit();
-    write_leaves(binary, triangles, threads, wide);
+    write_leaves(binary, triangles, crew, wide);
     return wide;
 }
 

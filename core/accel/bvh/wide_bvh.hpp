@@ -8,6 +8,7 @@
 #include "accel/triangle_data.hpp"
 #include "accel/uninitialized_vector.hpp"
 #include "math/box.hpp"
+#include "threads/crew.hpp"
 
 namespace glint {
 
@@ -60,6 +61,6 @@ inline constexpr uint32_t max_bvh_depth = 64;
 
 /// Builds the hierarchy over triangles that all have an area; a binary one first (binary_bvh.hpp), of which nodes are
 /// drawn together until they have eight children. The result does not depend on the number of threads.
-[[nodiscard]] WideBvh build_wide_bvh(std::span<const TriangleCorners> triangles, unsigned threads);
+[[nodiscard]] WideBvh build_wide_bvh(std::span<const TriangleCorners> triangles, const Crew &crew);
 
 } // namespace glint

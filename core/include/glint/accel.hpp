@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <glint/export.hpp>
+#include <glint/host_threads.hpp>
 #include <glint/scene.hpp>
 
 namespace glint {
@@ -21,12 +22,16 @@ enum class AccelKind {
 /// "automatic", "kdtree", "bvh" or "brute".
 [[nodiscard]] GLINT_API std::string_view accel_kind_name(AccelKind kind);
 
-/// AccelKind::automatic is a kd-tree up to so many triangles.
+/// AccelKind::automatic is a kd-tree for scenes of up to so many triangles.
 inline constexpr uint32_t most_triangles_for_kdtree = 4000;
 
+/// How to build.
 struct AccelOptions {
     AccelKind kind = AccelKind::automatic; ///< decides about speed only: pictures and hits are the same to the bit
     unsigned threads = 0;                  ///< threads that build; 0 = one a processor. The tree does not depend on it
+    /// Lends the host's threads, `threads` - 1 of them for each step. Empty = threads of the library's own. Kept by the
+    /// Accel, for update().
+    SubmitTask submit = {};
 };
 
 /// What the tree is like, and those of moving meshes with it. AccelKind::brute is a tree of one leaf.

@@ -47,6 +47,7 @@ struct EyeMotion {
     std::optional<View> view = std::nullopt; ///< without, the window stays where it is
 };
 
+/// All that moves with time.
 struct Animation {
     std::vector<ObjectMotion> objects = {};
     EyeMotion eye = {};

@@ -8,6 +8,7 @@
 
 namespace glint {
 
+/// What to hold, and how far quality may go down for it.
 struct GovernorOptions {
     double target_fps = 60.0;  ///< frames a second, above 0 and at most 1000
     float least_scale = 0.25f; ///< of the window's width and height, in (0, 1]; the greatest is 1
@@ -92,6 +93,7 @@ private:
     double given_up_render_s_ = 0.0; ///< what it took before the depth went down, until deeper_costs_ is known
 };
 
+/// Of a picture in pixels.
 struct PictureSize {
     uint32_t width_px = 1, height_px = 1;
     friend bool operator==(const PictureSize &, const PictureSize &) = default;

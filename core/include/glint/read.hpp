@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <glint/export.hpp>
+#include <glint/file_source.hpp>
 #include <glint/result.hpp>
 #include <glint/scene.hpp>
 
@@ -31,6 +32,12 @@ struct ReadOptions {
     /// aside, with a warning. This library reads no image files by itself: glint::read_texture (glint/imageio.hpp)
     /// does.
     std::function<Result<Texture>(const std::filesystem::path &)> read_texture = {};
+    /// Where all files come from; nullptr = the system's file system. With a source every path here and below is a path
+    /// in it, and decode_texture takes the place of read_texture.
+    std::shared_ptr<const FileSource> files = nullptr;
+    /// Makes a texture of the bytes of an image file that `files` gave, and of its path; its errors need not name the
+    /// file. Empty = textures are left aside, with a warning.
+    std::function<Result<Texture>(std::string_view bytes, const std::string &path)> decode_texture = {};
     /// Leave the normals of OBJ files aside, so that every triangle is flat.
     bool flat = false;
 };
@@ -57,6 +64,11 @@ struct SceneFile {
 /// Reads an SDL file and every mesh it names. Fails with every problem of the file that could be found in one run.
 [[nodiscard]] GLINT_API Result<SceneFile> read_scene(const std::filesystem::path &file,
                                                      const ReadOptions &options = {});
+
+/// Reads an SDL file that is in memory. `file` is where it would lie: messages call it so, and what it names is looked
+/// for from there.
+[[nodiscard]] GLINT_API Result<SceneFile> read_scene_text(std::string_view text, const std::filesystem::path &file,
+                                                          const ReadOptions &options = {});
 
 /// A scene file, rewritten in the canonical dialect of SDL, `glint`.
 struct ConvertedScene {

@@ -50,7 +50,7 @@ public:
     ///
     /// Fails with `cancelled` when the control says so, within one tile's work: then the target's pixels are of several
     /// pictures, but no pass is lost or counted twice, and next() may go on. Fails as Renderer::render() does, and with
-    /// limit_exceeded where memory for the sums (28 bytes a pixel) is not to be had.
+    /// out_of_memory, also for the sums (28 bytes a pixel); then it may go on as well.
     [[nodiscard]] Result<RenderStatistics> next(Renderer &renderer, Framebuffer &target,
                                                 RenderControl *control = nullptr);
 

@@ -20,6 +20,7 @@ enum class ErrorCode {
     io,             ///< the system refused to read or write (disk full, permission, broken device)
     unsupported,    ///< this machine or this build cannot do it
     cancelled,      ///< the caller asked to stop
+    out_of_memory,  ///< the system gave no more memory
 };
 
 /// One problem, at one place. Lines and columns count from 1; 0 means "the file as a whole".
@@ -40,12 +41,18 @@ struct GLINT_API Diagnostic {
 };
 
 /// A failure: its kind, and every problem that was found. Never without at least one diagnostic.
+///
+/// Functions that return one throw nothing but std::bad_alloc, and that only where there was no memory even for the
+/// words of Error::out_of_memory().
 struct GLINT_API Error {
     ErrorCode code = ErrorCode::bad_input;
     std::vector<Diagnostic> diagnostics;
 
     Error(ErrorCode code_, std::string message, std::string hint = {});
     Error(ErrorCode code_, std::vector<Diagnostic> diagnostics_) : code(code_), diagnostics(std::move(diagnostics_)) {}
+
+    /// ErrorCode::out_of_memory, in words.
+    [[nodiscard]] static Error out_of_memory();
 
     /// Every diagnostic's text, one after another, without a newline at the end.
     [[nodiscard]] std::string text() const;

@@ -6,10 +6,7 @@
 #include <vector>
 
 #include <glint/export.hpp>
-
-#define GLINT_VERSION_MAJOR 0
-#define GLINT_VERSION_MINOR 1
-#define GLINT_VERSION_PATCH 0
+#include <glint/version.h>
 
 namespace glint {
 

@@ -17,7 +17,8 @@ public:
         prepare(scene_bounds, wider);
     }
 
-    /// Calls visit(i, rays) for every place i in the order of the boxes, with the rays that reach its leaf.
+    /// Calls visit(i, rays) for every place i in the order of the boxes, with the rays that reach that box, near ones
+    /// first as the first of those rays sees it: what is hit there hides what is behind.
     template <typename Visit> HWY_INLINE void walk(const BoxNode *nodes, Visit &&visit) {
         uint32_t pending = 0;
         stack_[pending++] = {0, selection_};
@@ -27,11 +28,15 @@ public:
             const RaySelection reach = rays_that_reach(node.bounds, now.rays);
             if (reach.empty()) continue;
             if (node.count == 0) {
-                stack_[pending++] = {node.first + 1, reach};
-                stack_[pending++] = {node.first, reach};
+                const uint32_t ray = first_ray_of(reach);
+                const Box &first = nodes[node.first].bounds, &second = nodes[node.first + 1].bounds;
+                const uint32_t near =
+                    is_second_nearer(first, second, rays_.dir_x[ray], rays_.dir_y[ray], rays_.dir_z[ray]) ? 1 : 0;
+                stack_[pending++] = {node.first + 1 - near, reach};
+                stack_[pending++] = {node.first + near, reach};
                 continue;
             }
-            for (uint32_t i = node.first; i < node.first + node.count; ++i) visit(i, reach);
+            visit(node.first, reach);
         }
     }
 

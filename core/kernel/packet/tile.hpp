@@ -171,12 +171,11 @@ HWY_NOINLINE void make_displayed(const KernelFrame &frame, const TileColors &col
 /// Writes the tile's pixels: `colors` as radiance, `shown` as bytes.
 HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const TileColors &colors,
                              const TileColors &shown) {
-    const size_t first_pixel = size_t{tile.y0} * frame.width_px + tile.x0;
-    const auto for_each_row = [&](PixelPlace first, uint32_t inside, auto &&copy) {
-        size_t pixel = first_pixel + size_t{first.y} * frame.width_px + first.x;
-        for (uint32_t row = 0; row < lane_count / 4; ++row, pixel += frame.width_px) {
-            copy(row, pixel, static_cast<uint32_t>(__builtin_popcount(inside >> (4 * row) & 15)));
-        }
+    const size_t byte_stride = frame.rgba8_stride_bytes, light_stride = frame.radiance_stride_bytes / sizeof(float);
+    uint8_t *const first_bytes = frame.rgba8 + tile.y0 * byte_stride + size_t{tile.x0} * 4;
+    float *const first_light = frame.radiance ? frame.radiance + tile.y0 * light_stride + size_t{tile.x0} * 3 : nullptr;
+    const auto columns_of = [](uint32_t row, uint32_t inside) {
+        return static_cast<uint32_t>(__builtin_popcount(inside >> (4 * row) & 15));
     };
     for_each_place(tile, [&](uint32_t ray, PixelPlace first, uint32_t inside) {
         const Points color = shown.at(ray);
@@ -185,22 +184,28 @@ HWY_INLINE void resolve_tile(const KernelFrame &frame, const Tile &tile, const T
                                    hn::Xor(hn::ShiftLeft<16>(resolve_channels(color.z)), hn::Set(uints, 0xb4000000u)));
         alignas(64) uint32_t bytes[lane_count];
         hn::Store(rgba, uints, bytes);
+        uint8_t *to = first_bytes + first.y * byte_stride + size_t{first.x} * 4;
         if (inside == all_lanes) {
-            for_each_row(first, inside, [&](uint32_t row, size_t pixel, uint32_t) {
-                __builtin_memcpy(frame.rgba8 + pixel * 4, bytes + row * 4, 16);
-            });
+            for (uint32_t row = 0; row < lane_count / 4; ++row, to += byte_stride) {
+                __builtin_memcpy(to, bytes + row * 4, 16);
+            }
         } else {
-            for_each_row(first, inside, [&](uint32_t row, size_t pixel, uint32_t columns) {
-                if (columns != 0) __builtin_memcpy(frame.rgba8 + pixel * 4, bytes + row * 4, 4 * columns);
-            });
+            for (uint32_t row = 0; row < lane_count / 4; ++row, to += byte_stride) {
+                if (const uint32_t columns = columns_of(row, inside)) {
+                    __builtin_memcpy(to, bytes + row * 4, 4 * columns);
+                }
+            }
         }
-        if (frame.radiance) {
+        if (first_light) {
             const Points radiance = colors.at(ray);
             alignas(64) float rgb[3 * lane_count];
             hn::StoreInterleaved3(radiance.x, radiance.y, radiance.z, floats, rgb);
-            for_each_row(first, inside, [&](uint32_t row, size_t pixel, uint32_t columns) {
-                if (columns != 0) __builtin_memcpy(frame.radiance + pixel * 3, rgb + row * 12, 12 * columns);
-            });
+            float *light = first_light + first.y * light_stride + size_t{first.x} * 3;
+            for (uint32_t row = 0; row < lane_count / 4; ++row, light += light_stride) {
+                if (const uint32_t columns = columns_of(row, inside)) {
+                    __builtin_memcpy(light, rgb + row * 12, 12 * columns);
+                }
+            }
         }
     });
 }

@@ -189,10 +189,8 @@ HWY_NOINLINE void trace_instances(const TraceQuestion &question, RayGroup &rays,
     const InstanceView &instances = question.geometry.instances;
     BoxTrace boxes(question.geometry.bounds, rays, selection, shares_origin, instance_slack);
     RayGroup own;
-    boxes.walk(instances.nodes, [&](uint32_t i, const RaySelection &near) {
+    boxes.walk(instances.nodes, [&](uint32_t i, const RaySelection &reach) {
         const Instance &instance = instances.all[instances.order[i]];
-        const RaySelection reach = boxes.rays_that_reach(instance.bounds, near);
-        if (reach.empty()) return;
         take_inside(instance, rays, reach, shares_origin, own);
         const GeometryView inside = GeometryView::inside(instance);
         const TraceQuestion inner{inside};

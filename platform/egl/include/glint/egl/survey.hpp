@@ -28,6 +28,7 @@ struct DisplaySurvey {
     std::vector<GlesSurvey> gles;      ///< 3, then 2
 };
 
+/// Everything that EGL offers.
 struct Survey {
     std::string missing; ///< why there is no EGL at all; empty where there is
     std::string hint;    ///< what to install then

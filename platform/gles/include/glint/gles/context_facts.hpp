@@ -10,6 +10,7 @@
 
 namespace glint::gles {
 
+/// What a context says of itself.
 struct ContextFacts {
     std::string version;                ///< GL_VERSION
     std::string vendor;                 ///< GL_VENDOR

@@ -27,6 +27,7 @@ enum class Blend {
     premultiplied, ///< the same, the picture's colours are multiplied by alpha already
 };
 
+/// How a picture is drawn.
 struct DrawOptions {
     Filter filter = Filter::bilinear;
     Blend blend = Blend::replace;

@@ -21,6 +21,7 @@ struct Layer {
     uint64_t version = 0;
 };
 
+/// How frames are shown.
 struct ShowOptions {
     /// glFinish after uploading and after drawing, so that their times mean something. Costs what overlap there was.
     bool finish = false;

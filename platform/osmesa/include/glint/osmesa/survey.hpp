@@ -8,6 +8,7 @@
 
 namespace glint::osmesa {
 
+/// What OSMesa offers.
 struct Survey {
     std::string missing; ///< why there is none; empty where there is
     std::string hint;    ///< what to install then

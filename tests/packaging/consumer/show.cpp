@@ -1,4 +1,4 @@
-// Shows an empty picture on whatever surface this machine has, and asks for the image formats.
+// Shows an empty picture on whatever surface this machine has, and prints what reads and writes image files.
 #include <cstdio>
 
 #include <glint/egl/surface.hpp>
@@ -15,5 +15,6 @@ int main() {
         const auto presenter = glint::gles::Presenter::create((*surface)->proc_loader());
         if (!picture || !presenter || !(*presenter)->upload(*picture) || !(*presenter)->draw(0, 0, 8, 8)) return 1;
     }
-    return glint::image_extensions().empty() ? 1 : 0;
+    const auto library = glint::image_library_version();
+    std::puts((library ? *library : library.error().text()).c_str());
 }

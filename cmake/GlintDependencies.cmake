@@ -1,0 +1,31 @@
+# Where the header-only libraries are when they are not the system's: for Android, whose NDK has none of them.
+# GLINT_DEPENDENCIES names a folder with include/glm, include/hwy, include/fast_float, include/tiny_obj_loader.h and
+# include/xxhash.h. For Android without it, this machine's own in /usr/include are lent, as for other cross-compilers.
+set(GLINT_DEPENDENCIES "" CACHE PATH "Folder with include/, where the header-only libraries are")
+if(ANDROID AND NOT GLINT_DEPENDENCIES)
+    include(${CMAKE_CURRENT_LIST_DIR}/lent-headers.cmake)
+    set(headers ${GLINT_LENT_HEADERS}/include)
+elseif(GLINT_DEPENDENCIES)
+    set(headers ${GLINT_DEPENDENCIES}/include)
+else()
+    return()
+endif()
+
+set(missing "")
+foreach(name IN ITEMS glm/glm.hpp hwy/highway.h fast_float/fast_float.h tiny_obj_loader.h xxhash.h)
+    if(NOT EXISTS ${headers}/${name})
+        list(APPEND missing ${name})
+    endif()
+endforeach()
+if(missing)
+    list(JOIN missing ", " missing)
+    message(FATAL_ERROR "${headers} lacks ${missing}: set GLINT_DEPENDENCIES (platform/android/README.md says how)")
+endif()
+
+foreach(library IN ITEMS FAST_FLOAT HIGHWAY TINYOBJ XXHASH)
+    set(GLINT_${library}_INCLUDE ${headers} CACHE PATH "" FORCE)
+endforeach()
+if(NOT TARGET glm::glm)
+    add_library(glm::glm INTERFACE IMPORTED GLOBAL)
+    target_include_directories(glm::glm SYSTEM INTERFACE ${headers})
+endif()

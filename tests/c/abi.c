@@ -1,0 +1,352 @@
+/* The C interface as programs are compiled against it: the numbers of constants, the types of functions, and where the
+   members of structs are, on machines with 64 bits. That this compiles is the test.
+
+   A line here is a promise: it may be added, with the function or member that is new, never changed or taken away.
+   test_symbols.py holds the functions named here against what the library shows. */
+#include <stddef.h>
+#include <stdint.h>
+
+#include <glint/glint.h>
+
+#define CONSTANT(name, value) _Static_assert((name) == (value), #name)
+#define FUNCTION(name, ...) _Static_assert(_Generic(&name, __VA_ARGS__: 1, default: 0), #name)
+#define CALLBACK(name, ...) _Static_assert(_Generic((name)0, __VA_ARGS__: 1, default: 0), #name)
+
+CONSTANT(GLINT_OK, 0);
+CONSTANT(GLINT_ERROR_INVALID_ARGUMENT, 1);
+CONSTANT(GLINT_ERROR_BAD_INPUT, 2);
+CONSTANT(GLINT_ERROR_NOT_FOUND, 3);
+CONSTANT(GLINT_ERROR_LIMIT_EXCEEDED, 4);
+CONSTANT(GLINT_ERROR_IO, 5);
+CONSTANT(GLINT_ERROR_UNSUPPORTED, 6);
+CONSTANT(GLINT_ERROR_CANCELLED, 7);
+CONSTANT(GLINT_ERROR_OUT_OF_MEMORY, 8);
+CONSTANT(GLINT_ERROR_INTERNAL, 9);
+CONSTANT(GLINT_LIGHT_SURFACE, 0);
+CONSTANT(GLINT_LIGHT_POINT, 1);
+CONSTANT(GLINT_LIGHT_DIRECTIONAL, 2);
+CONSTANT(GLINT_LIGHT_SPOT, 3);
+CONSTANT(GLINT_PATTERN_CENTRE, 0);
+CONSTANT(GLINT_PATTERN_STRATIFIED, 1);
+CONSTANT(GLINT_PATTERN_JITTERED, 2);
+CONSTANT(GLINT_ISA_BEST, -1);
+CONSTANT(GLINT_ISA_SCALAR, 0);
+CONSTANT(GLINT_ISA_SSE4, 1);
+CONSTANT(GLINT_ISA_AVX2, 2);
+CONSTANT(GLINT_ISA_AVX512, 3);
+CONSTANT(GLINT_ISA_NEON, 4);
+CONSTANT(GLINT_ISA_WASM, 5);
+CONSTANT(GLINT_ACCEL_AUTOMATIC, 0);
+CONSTANT(GLINT_ACCEL_KDTREE, 1);
+CONSTANT(GLINT_ACCEL_BVH, 2);
+CONSTANT(GLINT_ACCEL_BRUTE, 3);
+CONSTANT(GLINT_TRANSFER_LINEAR, 0);
+CONSTANT(GLINT_TRANSFER_SRGB, 1);
+CONSTANT(GLINT_NONE, UINT32_MAX);
+CONSTANT(GLINT_AS_SCENE, -1);
+
+CALLBACK(glint_submit_function, void (*)(void *, glint_task *));
+CALLBACK(glint_done_function, void (*)(void *));
+
+FUNCTION(glint_error_name, const char *(*)(glint_error));
+FUNCTION(glint_last_error_message, const char *(*)(const void *));
+FUNCTION(glint_get_version, glint_error (*)(glint_version *));
+FUNCTION(glint_camera_look_at,
+         glint_error (*)(const float *, const float *, const float *, float, float, glint_camera *));
+FUNCTION(glint_pose_turned, glint_error (*)(const float *, double, const float *, const float *, glint_pose *));
+FUNCTION(glint_file_allocate, void *(*)(glint_file *, size_t));
+FUNCTION(glint_read_options_init, glint_error (*)(glint_read_options *, size_t));
+FUNCTION(glint_scene_read, glint_error (*)(const char *, const glint_read_options *, glint_scene **));
+FUNCTION(glint_scene_read_text,
+         glint_error (*)(const char *, size_t, const char *, const glint_read_options *, glint_scene **));
+FUNCTION(glint_scene_release, void (*)(glint_scene *));
+FUNCTION(glint_scene_get_info, glint_error (*)(const glint_scene *, glint_scene_info *));
+FUNCTION(glint_scene_get_bounds, glint_error (*)(const glint_scene *, float *, float *));
+FUNCTION(glint_scene_get_diagnostic, glint_error (*)(const glint_scene *, uint32_t, glint_diagnostic *));
+FUNCTION(glint_scene_get_object, glint_error (*)(const glint_scene *, uint32_t, glint_object_info *));
+FUNCTION(glint_scene_get_camera, glint_error (*)(const glint_scene *, glint_camera *));
+FUNCTION(glint_scene_move, glint_error (*)(const glint_scene *, const glint_object_pose *, size_t, glint_scene **));
+FUNCTION(glint_scene_at, glint_error (*)(const glint_scene *, double, glint_scene **));
+FUNCTION(glint_scene_builder_create, glint_error (*)(glint_scene_builder **));
+FUNCTION(glint_scene_builder_release, void (*)(glint_scene_builder *));
+FUNCTION(glint_mesh_init, glint_error (*)(glint_mesh *, size_t));
+FUNCTION(glint_scene_builder_add_mesh, glint_error (*)(glint_scene_builder *, const glint_mesh *, uint32_t *));
+FUNCTION(glint_scene_builder_add_texture,
+         glint_error (*)(glint_scene_builder *, uint32_t, uint32_t, const float *, uint32_t *));
+FUNCTION(glint_material_init, glint_error (*)(glint_material *, size_t));
+FUNCTION(glint_quadric_sphere, glint_error (*)(const float *, float, glint_quadric *));
+FUNCTION(glint_object_init, glint_error (*)(glint_object *, size_t));
+FUNCTION(glint_scene_builder_add_object, glint_error (*)(glint_scene_builder *, const glint_object *));
+FUNCTION(glint_light_init, glint_error (*)(glint_light *, size_t));
+FUNCTION(glint_scene_builder_add_light, glint_error (*)(glint_scene_builder *, const glint_light *));
+FUNCTION(glint_scene_builder_set_camera, glint_error (*)(glint_scene_builder *, const glint_camera *));
+FUNCTION(glint_scene_settings_init, glint_error (*)(glint_scene_settings *, size_t));
+FUNCTION(glint_scene_builder_set_settings, glint_error (*)(glint_scene_builder *, const glint_scene_settings *));
+FUNCTION(glint_scene_builder_build, glint_error (*)(glint_scene_builder *, glint_scene **));
+FUNCTION(glint_framebuffer_create, glint_error (*)(uint32_t, uint32_t, int32_t, glint_framebuffer **));
+FUNCTION(glint_framebuffer_wrap,
+         glint_error (*)(uint32_t, uint32_t, uint8_t *, size_t, float *, size_t, glint_framebuffer **));
+FUNCTION(glint_framebuffer_release, void (*)(glint_framebuffer *));
+FUNCTION(glint_framebuffer_get_pixels, glint_error (*)(const glint_framebuffer *, glint_pixels *));
+FUNCTION(glint_framebuffer_pixel_hash, uint64_t (*)(const glint_framebuffer *));
+FUNCTION(glint_task_run, void (*)(glint_task *));
+FUNCTION(glint_task_release, void (*)(glint_task *));
+FUNCTION(glint_renderer_options_init, glint_error (*)(glint_renderer_options *, size_t));
+FUNCTION(glint_renderer_create,
+         glint_error (*)(const glint_scene *, const glint_renderer_options *, glint_renderer **));
+FUNCTION(glint_renderer_release, void (*)(glint_renderer *));
+FUNCTION(glint_renderer_set_scene, glint_error (*)(glint_renderer *, const glint_scene *));
+FUNCTION(glint_renderer_threads, uint32_t (*)(const glint_renderer *));
+FUNCTION(glint_renderer_isa, int32_t (*)(const glint_renderer *));
+FUNCTION(glint_isa_name, const char *(*)(int32_t));
+FUNCTION(glint_render_options_init, glint_error (*)(glint_render_options *, size_t));
+FUNCTION(glint_renderer_render,
+         glint_error (*)(glint_renderer *, glint_framebuffer *, const glint_render_options *,
+             glint_render_statistics *));
+FUNCTION(glint_renderer_pick, glint_error (*)(glint_renderer *, const glint_camera *, double, double, glint_pick *));
+FUNCTION(glint_renderer_start,
+         glint_error (*)(glint_renderer *, glint_framebuffer *, const glint_render_options *,
+             glint_done_function, void *, glint_job **));
+FUNCTION(glint_job_progress, double (*)(const glint_job *));
+FUNCTION(glint_job_is_done, int32_t (*)(const glint_job *));
+FUNCTION(glint_job_cancel, void (*)(glint_job *));
+FUNCTION(glint_job_wait, glint_error (*)(glint_job *, glint_render_statistics *));
+FUNCTION(glint_job_release, void (*)(glint_job *));
+FUNCTION(glint_governor_options_init, glint_error (*)(glint_governor_options *, size_t));
+FUNCTION(glint_governor_create, glint_error (*)(const glint_governor_options *, glint_governor **));
+FUNCTION(glint_governor_release, void (*)(glint_governor *));
+FUNCTION(glint_governor_get_quality, glint_error (*)(const glint_governor *, glint_frame_quality *));
+FUNCTION(glint_governor_measured,
+         glint_error (*)(glint_governor *, const glint_frame_quality *, const glint_frame_times *));
+FUNCTION(glint_governor_set_greatest_depth, glint_error (*)(glint_governor *, uint32_t));
+FUNCTION(glint_scaled_size, glint_error (*)(uint32_t, uint32_t, float, uint32_t *, uint32_t *));
+FUNCTION(glint_camera_control_create,
+         glint_error (*)(const glint_scene *, uint32_t, uint32_t, glint_camera_control **));
+FUNCTION(glint_camera_control_release, void (*)(glint_camera_control *));
+FUNCTION(glint_camera_control_get_camera, glint_error (*)(const glint_camera_control *, glint_camera *));
+FUNCTION(glint_camera_control_orbit, glint_error (*)(glint_camera_control *, double, double));
+FUNCTION(glint_camera_control_pan, glint_error (*)(glint_camera_control *, double, double, double, double, double));
+FUNCTION(glint_camera_control_zoom, glint_error (*)(glint_camera_control *, double, double, double, double));
+FUNCTION(glint_camera_control_fly, glint_error (*)(glint_camera_control *, double, double, double, double));
+FUNCTION(glint_camera_control_reset, glint_error (*)(glint_camera_control *));
+FUNCTION(glint_camera_control_frame, glint_error (*)(glint_camera_control *));
+FUNCTION(glint_camera_control_resize, glint_error (*)(glint_camera_control *, uint32_t, uint32_t));
+FUNCTION(glint_refiner_create, glint_error (*)(const glint_render_options *, glint_refiner **));
+FUNCTION(glint_refiner_release, void (*)(glint_refiner *));
+FUNCTION(glint_refiner_restart, glint_error (*)(glint_refiner *, const glint_render_options *));
+FUNCTION(glint_refiner_next,
+         glint_error (*)(glint_refiner *, glint_renderer *, glint_framebuffer *, glint_render_statistics *));
+FUNCTION(glint_refiner_cancel, void (*)(glint_refiner *));
+FUNCTION(glint_refiner_is_done, int32_t (*)(const glint_refiner *));
+FUNCTION(glint_refiner_samples_done, uint32_t (*)(const glint_refiner *));
+
+#if UINTPTR_MAX == UINT64_MAX
+#define SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), #type)
+#define AT(type, member, offset) _Static_assert(offsetof(type, member) == (offset), #type "." #member)
+
+SIZE(glint_version, 48);
+AT(glint_version, size, 0);
+AT(glint_version, text, 8);
+AT(glint_version, compiler, 16);
+AT(glint_version, isa, 24);
+AT(glint_version, major, 32);
+AT(glint_version, minor, 36);
+AT(glint_version, patch, 40);
+AT(glint_version, reserved, 44);
+SIZE(glint_camera, 48);
+AT(glint_camera, eye, 0);
+AT(glint_camera, top_left, 12);
+AT(glint_camera, right, 24);
+AT(glint_camera, down, 36);
+SIZE(glint_pose, 48);
+AT(glint_pose, x, 0);
+AT(glint_pose, y, 12);
+AT(glint_pose, z, 24);
+AT(glint_pose, translation, 36);
+SIZE(glint_memory_file, 24);
+AT(glint_memory_file, path, 0);
+AT(glint_memory_file, bytes, 8);
+AT(glint_memory_file, byte_count, 16);
+SIZE(glint_file_source, 32);
+AT(glint_file_source, size, 0);
+AT(glint_file_source, user, 8);
+AT(glint_file_source, read, 16);
+AT(glint_file_source, contains, 24);
+SIZE(glint_read_options, 88);
+AT(glint_read_options, size, 0);
+AT(glint_read_options, scene_root, 8);
+AT(glint_read_options, dialect, 16);
+AT(glint_read_options, files, 24);
+AT(glint_read_options, memory_files, 32);
+AT(glint_read_options, memory_file_count, 40);
+AT(glint_read_options, max_file_bytes, 48);
+AT(glint_read_options, max_pixels, 56);
+AT(glint_read_options, max_triangles, 64);
+AT(glint_read_options, max_depth, 72);
+AT(glint_read_options, flat, 76);
+AT(glint_read_options, allow_outside_root, 80);
+AT(glint_read_options, reserved, 84);
+SIZE(glint_scene_info, 80);
+AT(glint_scene_info, size, 0);
+AT(glint_scene_info, dialect, 8);
+AT(glint_scene_info, dialect_reason, 16);
+AT(glint_scene_info, output_file, 24);
+AT(glint_scene_info, objects, 32);
+AT(glint_scene_info, lights, 36);
+AT(glint_scene_info, triangles, 40);
+AT(glint_scene_info, quadrics, 44);
+AT(glint_scene_info, skipped_triangles, 48);
+AT(glint_scene_info, warnings, 52);
+AT(glint_scene_info, width_px, 56);
+AT(glint_scene_info, height_px, 60);
+AT(glint_scene_info, max_depth, 64);
+AT(glint_scene_info, samples_per_pixel, 68);
+AT(glint_scene_info, is_animated, 72);
+AT(glint_scene_info, reserved, 76);
+SIZE(glint_diagnostic, 56);
+AT(glint_diagnostic, size, 0);
+AT(glint_diagnostic, file, 8);
+AT(glint_diagnostic, message, 16);
+AT(glint_diagnostic, hint, 24);
+AT(glint_diagnostic, source_line, 32);
+AT(glint_diagnostic, line, 40);
+AT(glint_diagnostic, column, 44);
+AT(glint_diagnostic, is_error, 48);
+AT(glint_diagnostic, reserved, 52);
+SIZE(glint_object_info, 72);
+AT(glint_object_info, size, 0);
+AT(glint_object_info, name, 8);
+AT(glint_object_info, triangles, 16);
+AT(glint_object_info, can_move, 20);
+AT(glint_object_info, pose, 24);
+SIZE(glint_object_pose, 52);
+AT(glint_object_pose, object, 0);
+AT(glint_object_pose, pose, 4);
+SIZE(glint_mesh, 88);
+AT(glint_mesh, size, 0);
+AT(glint_mesh, positions, 8);
+AT(glint_mesh, triangles, 16);
+AT(glint_mesh, normals, 24);
+AT(glint_mesh, normal_corners, 32);
+AT(glint_mesh, texcoords, 40);
+AT(glint_mesh, texcoord_corners, 48);
+AT(glint_mesh, position_count, 56);
+AT(glint_mesh, triangle_count, 64);
+AT(glint_mesh, normal_count, 72);
+AT(glint_mesh, texcoord_count, 80);
+SIZE(glint_material, 72);
+AT(glint_material, size, 0);
+AT(glint_material, color, 8);
+AT(glint_material, ambient, 20);
+AT(glint_material, diffuse, 24);
+AT(glint_material, specular, 28);
+AT(glint_material, specular_exponent, 32);
+AT(glint_material, reflection, 36);
+AT(glint_material, transmission, 40);
+AT(glint_material, ior, 44);
+AT(glint_material, highlight_color, 48);
+AT(glint_material, adds_to_local, 60);
+AT(glint_material, texture, 64);
+AT(glint_material, reserved, 68);
+SIZE(glint_quadric, 40);
+AT(glint_quadric, a, 0);
+AT(glint_quadric, b, 4);
+AT(glint_quadric, c, 8);
+AT(glint_quadric, d, 12);
+AT(glint_quadric, e, 16);
+AT(glint_quadric, f, 20);
+AT(glint_quadric, g, 24);
+AT(glint_quadric, h, 28);
+AT(glint_quadric, j, 32);
+AT(glint_quadric, k, 36);
+SIZE(glint_object, 48);
+AT(glint_object, size, 0);
+AT(glint_object, name, 8);
+AT(glint_object, material, 16);
+AT(glint_object, quadric, 24);
+AT(glint_object, pose, 32);
+AT(glint_object, mesh, 40);
+AT(glint_object, reserved, 44);
+SIZE(glint_light, 96);
+AT(glint_light, size, 0);
+AT(glint_light, name, 8);
+AT(glint_light, quadric, 16);
+AT(glint_light, position, 24);
+AT(glint_light, mesh, 32);
+AT(glint_light, kind, 36);
+AT(glint_light, color, 40);
+AT(glint_light, intensity, 52);
+AT(glint_light, direction, 56);
+AT(glint_light, inner_angle, 68);
+AT(glint_light, outer_angle, 72);
+AT(glint_light, has_falloff, 76);
+AT(glint_light, shadow_rays, 80);
+AT(glint_light, grid_width, 84);
+AT(glint_light, grid_height, 88);
+AT(glint_light, reserved, 92);
+SIZE(glint_scene_settings, 64);
+AT(glint_scene_settings, size, 0);
+AT(glint_scene_settings, background, 8);
+AT(glint_scene_settings, ambient, 20);
+AT(glint_scene_settings, width_px, 24);
+AT(glint_scene_settings, height_px, 28);
+AT(glint_scene_settings, max_depth, 32);
+AT(glint_scene_settings, samples_per_pixel, 36);
+AT(glint_scene_settings, pattern, 40);
+AT(glint_scene_settings, seed, 44);
+AT(glint_scene_settings, tone_scale, 48);
+AT(glint_scene_settings, fresnel, 52);
+AT(glint_scene_settings, shadows_through_glass, 56);
+AT(glint_scene_settings, reserved, 60);
+SIZE(glint_pixels, 48);
+AT(glint_pixels, size, 0);
+AT(glint_pixels, rgba8, 8);
+AT(glint_pixels, radiance, 16);
+AT(glint_pixels, stride_bytes, 24);
+AT(glint_pixels, radiance_stride_bytes, 32);
+AT(glint_pixels, width_px, 40);
+AT(glint_pixels, height_px, 44);
+SIZE(glint_renderer_options, 40);
+AT(glint_renderer_options, size, 0);
+AT(glint_renderer_options, submit, 8);
+AT(glint_renderer_options, submit_user, 16);
+AT(glint_renderer_options, threads, 24);
+AT(glint_renderer_options, isa, 28);
+AT(glint_renderer_options, accel, 32);
+AT(glint_renderer_options, reserved, 36);
+SIZE(glint_render_options, 32);
+AT(glint_render_options, size, 0);
+AT(glint_render_options, camera, 8);
+AT(glint_render_options, max_depth, 16);
+AT(glint_render_options, samples_per_pixel, 20);
+AT(glint_render_options, pattern, 24);
+AT(glint_render_options, transfer, 28);
+SIZE(glint_render_statistics, 40);
+AT(glint_render_statistics, size, 0);
+AT(glint_render_statistics, seconds, 8);
+AT(glint_render_statistics, primary_rays, 16);
+AT(glint_render_statistics, shadow_rays, 24);
+AT(glint_render_statistics, secondary_rays, 32);
+SIZE(glint_pick, 40);
+AT(glint_pick, size, 0);
+AT(glint_pick, distance, 8);
+AT(glint_pick, position, 16);
+AT(glint_pick, object, 28);
+AT(glint_pick, light, 32);
+AT(glint_pick, reserved, 36);
+SIZE(glint_governor_options, 32);
+AT(glint_governor_options, size, 0);
+AT(glint_governor_options, target_fps, 8);
+AT(glint_governor_options, least_scale, 16);
+AT(glint_governor_options, least_depth, 20);
+AT(glint_governor_options, greatest_depth, 24);
+AT(glint_governor_options, reserved, 28);
+SIZE(glint_frame_quality, 8);
+AT(glint_frame_quality, scale, 0);
+AT(glint_frame_quality, depth, 4);
+SIZE(glint_frame_times, 32);
+AT(glint_frame_times, render_s, 0);
+AT(glint_frame_times, present_s, 8);
+AT(glint_frame_times, frame_s, 16);
+AT(glint_frame_times, wait_s, 24);
+#endif
