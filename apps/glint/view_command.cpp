@@ -20,6 +20,7 @@
 #include "isa_option.hpp"
 #include "number_options.hpp"
 #include "scene_options.hpp"
+#include "steady_memory.hpp"
 #include "view_report.hpp"
 #include "viewer/viewer.hpp"
 
@@ -129,6 +130,7 @@ ExitCode run(const ViewCommandOptions &options) {
     const InterruptGuard guard(control);
     view.is_interrupted = [&] { return control.cancelled(); };
 
+    keep_memory_steady();
     const std::string surface = (*window)->kind(), gl = (*window)->gl_description();
     const Result<viewer::FrameLog> log = viewer::view(**window, std::move(view));
     if (!log) return fail(log.error());

@@ -38,8 +38,6 @@ uint64_t bit_of(Key key) {
     return uint64_t{1} << static_cast<unsigned>(key);
 }
 
-constexpr Key flight_keys[] = {Key::w, Key::a, Key::s, Key::d, Key::q, Key::e};
-
 } // namespace
 
 std::span<const HudKey> help_lines() {
@@ -209,20 +207,26 @@ void Controls::press(Key key) {
     }
 }
 
-void Controls::advance(double seconds) {
+Controls::Flight Controls::flight() const {
     const auto held = [&](Key key) { return (held_ & bit_of(key)) != 0 ? 1.0 : 0.0; };
-    const double right = held(Key::d) - held(Key::a), up = held(Key::e) - held(Key::q),
-                 ahead = held(Key::w) - held(Key::s);
-    if (right == 0.0 && up == 0.0 && ahead == 0.0) return;
-    const double speed = flight_speed * (held(Key::shift) > 0.0 ? shift_factor : 1.0);
+    return {held(Key::d) - held(Key::a), held(Key::e) - held(Key::q), held(Key::w) - held(Key::s)};
+}
+
+bool Controls::is_flying() const {
+    const auto [right, up, ahead] = flight();
+    return right != 0.0 || up != 0.0 || ahead != 0.0;
+}
+
+void Controls::advance(double seconds) {
+    if (!is_flying()) return;
+    const auto [right, up, ahead] = flight();
+    const double speed = flight_speed * ((held_ & bit_of(Key::shift)) != 0 ? shift_factor : 1.0);
     camera_.fly({right * speed, up * speed, ahead * speed}, seconds);
     moved();
 }
 
 bool Controls::is_moving() const {
-    const bool flies = std::any_of(std::begin(flight_keys), std::end(flight_keys),
-                                   [&](Key key) { return (held_ & bit_of(key)) != 0; });
-    return flies || (drag_ && !drag_->is_click) || touch_.touched();
+    return is_flying() || (drag_ && !drag_->is_click) || touch_.touched();
 }
 
 } // namespace glint::viewer

@@ -54,10 +54,18 @@ public:
     [[nodiscard]] uint64_t moves() const { return moves_; }
     /// Whether the camera was moved since the beginning, or since it went back.
     [[nodiscard]] bool has_moved_camera() const { return has_moved_camera_; }
+    /// Whether keys are held by which every moment moves the camera.
+    [[nodiscard]] bool is_flying() const;
     /// Whether a button, finger or key is held that moves the camera: more moves are to be expected.
     [[nodiscard]] bool is_moving() const;
 
 private:
+    /// Ways that are held, -1 to 1 each.
+    struct Flight {
+        double right, up, ahead;
+    };
+    [[nodiscard]] Flight flight() const;
+
     void begin_drag(const InputEvent &event);
     void drag_to(double x, double y);
     void end_drag();

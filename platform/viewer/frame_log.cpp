@@ -14,6 +14,11 @@ Quantiles quantiles_of(std::vector<double> values) {
     return {at(0.5), at(0.95), values.back(), values.size()};
 }
 
+FrameLog::FrameLog() {
+    frames_.resize(most_frames); // touches it: memory that is only reserved comes page by page
+    frames_.clear();
+}
+
 void FrameLog::add(const ShownFrame &frame) {
     ++count_;
     if (frames_.size() == most_frames) frames_.erase(frames_.begin(), frames_.begin() + most_frames / 2);
@@ -38,8 +43,20 @@ std::vector<double> FrameLog::latencies_s() const {
 
 std::vector<double> FrameLog::latencies_in_frames() const {
     std::vector<double> values;
+    for (size_t i = 0; i < frames_.size(); ++i) {
+        if (frames_[i].latency_s < 0.0) continue;
+        const double event_s = frames_[i].shown_s - frames_[i].latency_s;
+        size_t first = i;
+        while (first > 0 && frames_[first - 1].shown_s > event_s) --first;
+        values.push_back(static_cast<double>(i - first + 1));
+    }
+    return values;
+}
+
+std::vector<double> FrameLog::stops_s() const {
+    std::vector<double> values;
     for (const ShownFrame &frame : frames_) {
-        if (frame.latency_s >= 0.0 && frame.interval_s > 0.0) values.push_back(frame.latency_s / frame.interval_s);
+        if (frame.stop_s >= 0.0) values.push_back(frame.stop_s);
     }
     return values;
 }

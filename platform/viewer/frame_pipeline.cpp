@@ -24,7 +24,10 @@ void FramePipeline::submit(FrameRequest request) {
     {
         const std::lock_guard lock(mutex_);
         waiting_ = std::move(request);
-        if (refines_) control_.cancel();
+        if (refines_) {
+            control_.cancel();
+            if (is_tracing_) stopped_ = Clock::now();
+        }
         refines_ = false;
     }
     for_tracer_.notify_one();
@@ -66,6 +69,11 @@ void FramePipeline::live() {
             } else {
                 request_ = std::move(*std::exchange(waiting_, std::nullopt));
                 refines_ = request_.refines;
+            }
+            traced_->stop_s.reset();
+            if (stopped_) {
+                traced_->stop_s = std::chrono::duration<double>(Clock::now() - *stopped_).count();
+                stopped_.reset();
             }
             control_.reset();
             is_tracing_ = true;

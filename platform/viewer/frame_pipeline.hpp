@@ -46,6 +46,8 @@ struct Frame {
     uint32_t samples = 1;  ///< a pixel
     bool is_final = false; ///< no better one will follow
     uint64_t number = 0;   ///< from 1
+    /// From the request to where the refinement that it put an end to let go, in seconds; nothing where it met none.
+    std::optional<double> stop_s;
 };
 
 /// A thread that traces what was requested last. Requests and frames are handed over under a lock that is held for a
@@ -78,6 +80,7 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable for_tracer_, for_shower_;
     std::optional<FrameRequest> waiting_;
+    std::optional<Clock::time_point> stopped_; // when a refinement in progress was told to stop
     bool refines_ = false, stops_ = false, is_tracing_ = false, has_finished_ = false;
     std::optional<Error> failure_;
     RenderControl control_;

@@ -138,7 +138,7 @@ private:
 
     // One turn: input, then a finished frame is shown while the next one is being traced.
     Status turn() {
-        take_input();
+        take_input(wait_s());
         if (Status played = play(); !played) return played;
         request();
         const auto deadline = Clock::now() + (is_tracing_ || is_refining_ ? poll_interval : Clock::duration::zero());
@@ -151,7 +151,7 @@ private:
             if (frame->request.refines && frame->is_final) is_refining_ = false;
             is_final_ = frame->request.refines && frame->is_final;
             // First let the tracer go on.
-            take_input();
+            take_input(0.0);
             if (Status played = play(); !played) return played;
             request();
             return show_new_frame();
@@ -164,7 +164,7 @@ private:
     [[nodiscard]] double wait_s() const {
         if (needs_show_ || is_tracing_ || is_refining_ || records()) return 0.0;
         double wait = idle_wait_s;
-        if (needs_frame_ || (!playback_.is_over() && !controls_.choices().is_paused)) {
+        if (needs_frame_ || controls_.is_flying() || (!playback_.is_over() && !controls_.choices().is_paused)) {
             wait = seconds_between(Clock::now(), next_due_);
         } else if (!is_final_ && !controls_.choices().is_paused) {
             wait = std::min(wait, rest_s - seconds_between(changed_, Clock::now()));
@@ -175,8 +175,7 @@ private:
         return std::max(wait, 0.0);
     }
 
-    void take_input() {
-        const double wait = wait_s();
+    void take_input(double wait) {
         const Clock::time_point before = Clock::now();
         events_.clear();
         window_.take_events(wait, events_);
@@ -328,7 +327,8 @@ private:
         shown.upload_s = times->upload_s;
         shown.gl_s = times->draw_s + swap_s - swap_wait_s;
         shown.wait_s = std::exchange(waited_s_, 0.0) + swap_wait_s;
-        if (request.input_time) shown.latency_s = seconds_between(*request.input_time, now);
+        if (request.input_time && !records()) shown.latency_s = seconds_between(*request.input_time, now);
+        if (frame_->stop_s) shown.stop_s = *frame_->stop_s;
         shown.rays = frame_->statistics.rays();
         shown.width_px = request.width_px;
         shown.height_px = request.height_px;

@@ -26,14 +26,21 @@ TEST(FrameLog, counts_only_frames_that_followed_each_other) {
     EXPECT_EQ(of.max, 0.03);
 }
 
-TEST(FrameLog, tells_latencies_in_seconds_and_in_frames) {
+TEST(FrameLog, tells_latencies_in_seconds_and_in_frames_shown_since) {
     FrameLog log;
-    log.add(frame(0.0, 1.0f, 0.5)); // of a first frame: no interval to count in
-    log.add(frame(0.01));
-    log.add(frame(0.01, 1.0f, 0.015));
-    EXPECT_EQ(log.latencies_s(), (std::vector<double>{0.5, 0.015}));
-    ASSERT_EQ(log.latencies_in_frames().size(), 1u);
-    EXPECT_DOUBLE_EQ(log.latencies_in_frames()[0], 1.5);
+    const auto show = [&](double shown_s, double latency_s) {
+        ShownFrame shown = frame(0.01, 1.0f, latency_s);
+        shown.shown_s = shown_s;
+        log.add(shown);
+    };
+    show(1.00, 0.50);  // the first frame there is
+    show(1.01, -1.0);  // shows no event
+    show(1.02, 0.015); // that of 1.005: the frame before was shown after it, too
+    show(1.03, 0.005);
+    show(1.09, 0.065);  // late, but the next one: that of 1.025 came while the frame before was on its way
+    show(1.091, 0.066); // so was this, two frames before
+    EXPECT_EQ(log.latencies_s(), (std::vector<double>{0.5, 0.015, 0.005, 0.065, 0.066}));
+    EXPECT_EQ(log.latencies_in_frames(), (std::vector<double>{1, 2, 1, 2, 3}));
 }
 
 TEST(FrameLog, counts_changes_of_scale_by_time) {

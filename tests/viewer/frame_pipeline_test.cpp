@@ -1,6 +1,8 @@
 // The thread that traces: newest request first, frames whole, refinements stopped.
 #include "viewer/frame_pipeline.hpp"
 
+#include <thread>
+
 #include <gtest/gtest.h>
 
 #include "support/meshes.hpp"
@@ -112,6 +114,30 @@ TEST(FramePipeline, gives_a_refinement_up_for_a_request) {
         EXPECT_FALSE(frame->request.refines);
         EXPECT_TRUE(pipeline.is_idle());
     }
+}
+
+TEST(FramePipeline, tells_how_soon_a_refinement_stopped) {
+    const auto scene = accel();
+    FramePipeline pipeline;
+    FrameRequest slow = request(scene, 1500, true);
+    slow.isa = Isa::scalar;
+    slow.threads = 1;
+    FrameRequest quick = request(scene, 16);
+    quick.isa = slow.isa;
+    quick.threads = slow.threads;
+    pipeline.submit(quick);
+    EXPECT_FALSE(next(pipeline)->stop_s) << "there was no refinement";
+    for (int tries = 0; tries < 100; ++tries) { // until the thread got that far
+        pipeline.submit(slow);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        pipeline.submit(quick);
+        const Frame *frame = next(pipeline);
+        while (frame->request.refines) frame = next(pipeline);
+        if (!frame->stop_s) continue;
+        EXPECT_GE(*frame->stop_s, 0.0);
+        return;
+    }
+    FAIL() << "no refinement was stopped";
 }
 
 TEST(FramePipeline, answers_an_input_once) {

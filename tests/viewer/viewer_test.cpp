@@ -20,7 +20,10 @@ public:
     [[nodiscard]] std::string gl_description() const override { return window_->gl_description(); }
     [[nodiscard]] uint32_t width_px() const override { return window_->width_px(); }
     [[nodiscard]] uint32_t height_px() const override { return window_->height_px(); }
-    void take_events(double wait_s, std::vector<InputEvent> &events) override { window_->take_events(wait_s, events); }
+    void take_events(double wait_s, std::vector<InputEvent> &events) override {
+        has_waited = wait_s > 0.0;
+        window_->take_events(wait_s, events);
+    }
     Status resize(uint32_t width_px, uint32_t height_px) override { return window_->resize(width_px, height_px); }
     Result<gles::ProcLoader> context(bool is_lost) override {
         losses += is_lost ? 1 : 0;
@@ -31,12 +34,14 @@ public:
         if (!pixels) return pixels.error();
         shown = std::move(*pixels);
         ++swaps;
+        swaps_after_waiting += has_waited ? 1 : 0;
         return window_->swap();
     }
     Result<std::vector<uint8_t>> read_back() override { return window_->read_back(); }
 
     std::vector<uint8_t> shown;
-    int swaps = 0, losses = 0;
+    int swaps = 0, swaps_after_waiting = 0, losses = 0;
+    bool has_waited = false; // when it was last asked for events
 
 private:
     std::unique_ptr<Window> window_;
@@ -172,15 +177,24 @@ TEST_F(ViewerTest, knows_frames_that_follow_each_other_however_slow_they_are) {
     window_.emplace(std::move(*window));
     options_.isa = Isa::scalar;
     options_.threads = 1;
-    script("0 key d down\n1 close\n");
+    options_.frames = 6;
+    script("0 key d down\n");
     const FrameLog log = run();
-    ASSERT_GT(log.count(), 2u);
+    ASSERT_EQ(log.count(), 6u);
     EXPECT_GE(log.intervals_s().size() + 2, log.count()); // all but the first, and the one before it moved
     for (const ShownFrame &frame : log.frames()) {
         if (frame.interval_s > 0.0) {
             EXPECT_LT(frame.wait_s, frame.interval_s);
         }
     }
+}
+
+TEST_F(ViewerTest, shows_a_finished_frame_before_it_waits_for_the_next) {
+    options_.fps = 40.0;
+    script("0 key d down\n0.5 key d up\n0.6 close\n");
+    const FrameLog log = run();
+    EXPECT_GT(log.intervals_s().size(), 2u);
+    EXPECT_EQ(window_->swaps_after_waiting, 0);
 }
 
 TEST_F(ViewerTest, plays_a_scene_that_moves_and_rests_at_its_end) {
