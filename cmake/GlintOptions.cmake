@@ -44,7 +44,8 @@ if(GLINT_SANITIZE)
     # What GCC warns of after optimising is often not there once sanitizers add code of their own (GCC's manual advises
     # against -Werror beside them). The other builds warn of it.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        target_compile_options(glint_build INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
+        target_compile_options(glint_build INTERFACE -Wno-array-bounds -Wno-stringop-overflow
+            -Wno-stringop-overread -Wno-maybe-uninitialized)
     endif()
 endif()
 if(GLINT_FUZZERS)
