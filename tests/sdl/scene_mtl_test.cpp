@@ -125,9 +125,9 @@ TEST_F(ScenesWithMtl, tell_of_problems_where_they_are) {
     const fs::path library = write("m/house.mtl", "newmtl red\nKd 2 0 0\n");
     expect_error("object m/house.obj mtl\n", ErrorCode::bad_input, library, 2, 4,
                  "Kd is '2', expected a number from 0 to 1");
-    write("m/house.mtl", "newmtl red\nmap_Kd ../../x.png\nnewmtl roof\n");
+    write("m/house.mtl", "newmtl red\nmap_Kd ../../outside_of_the_scene.png\nnewmtl roof\n");
     expect_error("object m/house.obj mtl\n", ErrorCode::bad_input, library, 2, 8,
-                 "the path '../../x.png' leaves the scene root '" + fs::canonical(in_folder("")).string() + "'",
+                 "the path '../../outside_of_the_scene.png' leaves the scene root '" + fs::canonical(in_folder("")).string() + "'",
                  "files are named relative to the material library");
 }
 
