@@ -63,6 +63,7 @@ LIBRARIES = {
     "GLES3/": ("platform/gles", "examples"),
     "SDL2/": ("platform/viewer", "examples"),
     "jni.h": ("platform/android",),
+    "malloc.h": ("apps",),
     "android/": ("platform/android",),
     "CLI/": ("apps",),
     "fmt/": ("apps", "bench"),

@@ -42,6 +42,10 @@ struct Beam {
     float apex_miss; ///< no ray's line passes the apex farther off, in its plane across z; negative without an apex
 
     [[nodiscard]] HWY_INLINE bool has_apex() const { return apex_miss >= 0.0f; }
+    /// Whether all directions have the same signs, but for rounding.
+    [[nodiscard]] HWY_INLINE bool has_one_octant() const {
+        return (slope[0] < 0.0f || slope[1] < 0.0f) && (slope[2] < 0.0f || slope[3] < 0.0f);
+    }
     [[nodiscard]] HWY_INLINE float steepest() const {
         return larger(larger(magnitude(slope[0]), magnitude(slope[1])),
                       larger(magnitude(slope[2]), magnitude(slope[3])));

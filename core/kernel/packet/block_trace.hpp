@@ -7,7 +7,7 @@
 
 namespace glint::HWY_NAMESPACE {
 
-template <bool shares_origin, bool any_hit> class BlockTrace {
+template <bool any_hit> class BlockTrace {
 public:
     HWY_INLINE BlockTrace(const TraceQuestion &question, RayGroup &rays, uint32_t block)
         : question_(question), rays_(rays), first_ray_(block * block_size) {}
@@ -86,7 +86,6 @@ private:
     };
 
     [[nodiscard]] HWY_INLINE Floats org(uint32_t axis, uint32_t part) const {
-        if constexpr (shares_origin) return splat(coordinate(rays_.shared_origin, static_cast<int>(axis)));
         return hn::Load(floats, rays_.org_row(static_cast<int>(axis)) + first_ray_ + part);
     }
 
@@ -146,8 +145,7 @@ private:
     HWY_INLINE void visit_leaf(const KdNode &node, uint32_t active) {
         for (; active != 0; active &= active - 1) {
             const uint32_t lane = lowest_bit(active), i = first_ray_ + lane;
-            const Point3 o =
-                shares_origin ? rays_.shared_origin : Point3{rays_.org_x[i], rays_.org_y[i], rays_.org_z[i]};
+            const Point3 o = {rays_.org_x[i], rays_.org_y[i], rays_.org_z[i]};
             const Point3 d = {rays_.dir_x[i], rays_.dir_y[i], rays_.dir_z[i]};
             float t = rays_.t[i];
             uint32_t id = rays_.triangle_id[i];

@@ -79,9 +79,47 @@ public:
     }
 
 protected:
+    HWY_NOINLINE void make_block_beams() {
+        make_block_sides<shares_origin>(rays_, selection_, beam_, blocks_);
+        for (uint32_t block = 0; block < block_count; ++block) update_end(block);
+        has_block_beams_ = true;
+    }
+    HWY_INLINE void update_end(uint32_t block) {
+        blocks_.z_end[block] = block_end<shares_origin>(rays_, block, selection_.blocks[block], beam_);
+    }
+    HWY_INLINE uint32_t lanes_that_left(uint32_t id, uint32_t ray) const {
+        return bits_of(hn::RebindMask(floats, hn::Eq(hn::Set(uints, id), hn::Load(uints, rays_.left + ray))));
+    }
+
+    HWY_INLINE void take_nearer(uint32_t triangle_id, uint32_t ray, uint32_t lanes, Floats t) {
+        const Floats best = hn::Load(floats, rays_.t + ray);
+        const Uints id = hn::Set(uints, triangle_id);
+        FloatMask nearer = hn::Lt(t, best);
+        if constexpr (!any_hit) {
+            const Uints best_id = hn::Load(uints, rays_.triangle_id + ray);
+            const FloatMask lower_id = hn::RebindMask(floats, hn::Lt(id, best_id));
+            nearer = hn::Or(nearer, hn::And(hn::Eq(t, best), lower_id));
+        }
+        const FloatMask hit = hn::And(hn::And(nearer, hn::Gt(t, hn::Zero(floats))), mask_of(lanes));
+        const uint32_t hit_bits = bits_of(hit);
+        if (hit_bits == 0) return;
+        dirty_blocks_ |= 1u << (ray / block_size);
+        if constexpr (any_hit) {
+            selection_.remove(ray, hit_bits);
+        } else {
+            hn::Store(hn::IfThenElse(hit, t, best), floats, rays_.t + ray);
+            const Uints old = hn::Load(uints, rays_.triangle_id + ray);
+            hn::Store(hn::IfThenElse(hn::RebindMask(uints, hit), id, old), uints, rays_.triangle_id + ray);
+        }
+    }
+
     const TraceQuestion &question_;
-    Beam beam_;          ///< its end comes nearer with what is hit
-    uint32_t steps_ = 0; ///< counts what is done
+    Beam beam_; ///< its end comes nearer with what is hit
+    RayGroup &rays_;
+    RaySelection &selection_;
+    uint32_t steps_ = 0;        ///< counts what is done
+    uint32_t dirty_blocks_ = 0; ///< where something was hit since their ends were found
+    BlockBeams blocks_;
 
 private:
     HWY_INLINE void test(const uint32_t *words, uint32_t count, uint32_t i) {
@@ -184,12 +222,12 @@ private:
             if (lanes == 0) continue;
             const uint32_t ray = block * block_size + part;
             const FilterResult result = filter(ray);
-            const uint32_t possible = bits_of(result.possible) & lanes & ~lanes_that_left(triangle, ray);
+            const uint32_t possible = bits_of(result.possible) & lanes & ~lanes_that_left(triangle.id, ray);
             if (possible == 0) continue;
             const uint32_t certain = bits_of(result.certain) & possible;
             Floats t = distances(ray, certain);
             if (certain != possible) t = with_exact_distances(triangle, ray, possible & ~certain, t);
-            take_nearer(triangle, ray, possible, t);
+            take_nearer(triangle.id, ray, possible, t);
         }
     }
 
@@ -199,35 +237,8 @@ private:
         const uint32_t bits = selection_.blocks[block];
         for (uint32_t part = 0; part < block_size; part += lane_count) {
             const uint32_t ray = block * block_size + part;
-            const uint32_t lanes = (bits >> part) & all_lanes & ~lanes_that_left(triangle, ray);
-            if (lanes != 0) take_nearer(triangle, ray, lanes, distances(ray, lanes));
-        }
-    }
-
-    HWY_INLINE uint32_t lanes_that_left(const TriangleSetup &triangle, uint32_t ray) const {
-        const Uints id = hn::Set(uints, triangle.id);
-        return bits_of(hn::RebindMask(floats, hn::Eq(id, hn::Load(uints, rays_.left + ray))));
-    }
-
-    HWY_INLINE void take_nearer(const TriangleSetup &triangle, uint32_t ray, uint32_t lanes, Floats t) {
-        const Floats best = hn::Load(floats, rays_.t + ray);
-        const Uints id = hn::Set(uints, triangle.id);
-        FloatMask nearer = hn::Lt(t, best);
-        if constexpr (!any_hit) {
-            const Uints best_id = hn::Load(uints, rays_.triangle_id + ray);
-            const FloatMask lower_id = hn::RebindMask(floats, hn::Lt(id, best_id));
-            nearer = hn::Or(nearer, hn::And(hn::Eq(t, best), lower_id));
-        }
-        const FloatMask hit = hn::And(hn::And(nearer, hn::Gt(t, hn::Zero(floats))), mask_of(lanes));
-        const uint32_t hit_bits = bits_of(hit);
-        if (hit_bits == 0) return;
-        dirty_blocks_ |= 1u << (ray / block_size);
-        if constexpr (any_hit) {
-            selection_.remove(ray, hit_bits);
-        } else {
-            hn::Store(hn::IfThenElse(hit, t, best), floats, rays_.t + ray);
-            const Uints old = hn::Load(uints, rays_.triangle_id + ray);
-            hn::Store(hn::IfThenElse(hn::RebindMask(uints, hit), id, old), uints, rays_.triangle_id + ray);
+            const uint32_t lanes = (bits >> part) & all_lanes & ~lanes_that_left(triangle.id, ray);
+            if (lanes != 0) take_nearer(triangle.id, ray, lanes, distances(ray, lanes));
         }
     }
 
@@ -260,14 +271,6 @@ private:
         }
     }
 
-    HWY_NOINLINE void make_block_beams() {
-        make_block_sides<shares_origin>(rays_, selection_, beam_, blocks_);
-        for (uint32_t block = 0; block < block_count; ++block) update_end(block);
-        has_block_beams_ = true;
-    }
-    HWY_INLINE void update_end(uint32_t block) {
-        blocks_.z_end[block] = block_end<shares_origin>(rays_, block, selection_.blocks[block], beam_);
-    }
     HWY_INLINE float largest_end() const {
         Floats end = hn::Load(floats, blocks_.z_end);
         for (uint32_t b = lane_count; b < block_count; b += lane_count) {
@@ -279,18 +282,14 @@ private:
     /// A triangle in several leaves is tested once, if it is remembered.
     static constexpr uint32_t seen_slots = 64;
 
-    RayGroup &rays_;
-    RaySelection &selection_;
     float reach_;
     uint32_t tested_ = 0;
-    uint32_t dirty_blocks_ = 0;
     uint32_t seen_[seen_slots];
     Points corners_;
     float corner_reach_ = 1.0f;
     bool has_block_beams_ = false;
     bool has_ends_ = false;
     RayEnds ends_{};
-    BlockBeams blocks_;
 };
 
 } // namespace glint::HWY_NAMESPACE

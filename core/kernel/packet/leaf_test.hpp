@@ -31,10 +31,18 @@ public:
         return hn::LoadU(narrow_floats, reinterpret_cast<const float *>(words_ + r * count_ + first_));
     }
 
+    [[nodiscard]] HWY_INLINE uint32_t id(uint32_t lane) const { return words_[9 * count_ + first_ + lane]; }
+
+    /// The definition: see intersect.hpp.
+    [[nodiscard]] HWY_INLINE float exact(uint32_t lane, const Point3 &org, const Point3 &dir) const {
+        const TriangleSetup triangle(words_, count_, first_ + lane);
+        const float from[3] = {org.x, org.y, org.z}, along[3] = {dir.x, dir.y, dir.z};
+        return exact_distance(from, along, triangle.corners);
+    }
+
     uint32_t passes = 0; ///< lanes that do not block
 
 protected:
-    [[nodiscard]] HWY_INLINE uint32_t id(uint32_t lane) const { return words_[9 * count_ + first_ + lane]; }
     static HWY_INLINE NarrowFloats abs_max(NarrowFloats x, NarrowFloats y, NarrowFloats z) {
         return hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
     }
@@ -57,11 +65,6 @@ protected:
             hit = true;
         }
         return hit;
-    }
-    [[nodiscard]] HWY_INLINE float exact(uint32_t lane, const Point3 &org, const Point3 &dir) const {
-        const TriangleSetup triangle(words_, count_, first_ + lane);
-        const float from[3] = {org.x, org.y, org.z}, along[3] = {dir.x, dir.y, dir.z};
-        return exact_distance(from, along, triangle.corners);
     }
 
     /// The same where the ray is certainly inside.
@@ -225,6 +228,24 @@ public:
         return settle<any_hit>(possible, verdict.certain, org_, dir, left, best_t, best_id, [&](uint32_t lane) {
             return (grazing >> lane & 1) != 0 ? distance(lane, org_, dir, dir_reach) : t[lane];
         });
+    }
+
+    /// What has been worked out, to be read lane by lane.
+    struct Rows {
+        alignas(32) float u[3][narrow_lanes], v[3][narrow_lanes], n[3][narrow_lanes];
+        alignas(32) float offset[narrow_lanes], margin[narrow_lanes], grazing[narrow_lanes];
+    };
+    HWY_INLINE Rows rows() const {
+        Rows rows;
+        for (int i = 0; i < 3; ++i) {
+            hn::Store(u_[i], narrow_floats, rows.u[i]);
+            hn::Store(v_[i], narrow_floats, rows.v[i]);
+            hn::Store(n_[i], narrow_floats, rows.n[i]);
+        }
+        hn::Store(offset_, narrow_floats, rows.offset);
+        hn::Store(margin_, narrow_floats, rows.margin);
+        hn::Store(grazing_, narrow_floats, rows.grazing);
+        return rows;
     }
 
 private:

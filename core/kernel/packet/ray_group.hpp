@@ -100,6 +100,12 @@ struct alignas(64) RayGroup {
         hn::Store(p.y, floats, org_y + first_ray);
         hn::Store(p.z, floats, org_z + first_ray);
     }
+    /// Makes the shared origin each ray's own, in a block.
+    HWY_INLINE void spread_origin(uint32_t block) {
+        for (uint32_t part = 0; part < block_size; part += lane_count) {
+            set_org(block * block_size + part, splat(shared_origin));
+        }
+    }
     HWY_INLINE void set_dir(uint32_t first_ray, const Points &p) {
         hn::Store(p.x, floats, dir_x + first_ray);
         hn::Store(p.y, floats, dir_y + first_ray);

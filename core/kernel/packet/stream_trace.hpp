@@ -21,7 +21,7 @@ public:
         : question_(question), rays_(rays), selection_(selection), beam_(beam) {}
 
     /// Traces the selected rays. Those that are hit are deselected where any hit will do.
-    HWY_INLINE void run() {
+    HWY_NOINLINE void run() {
         const bool one_octant = prepare() == 0;
         uint32_t sorted[group_size];
         uint32_t starts[9] = {};
@@ -33,22 +33,14 @@ public:
             for_each_ray(selection_, [&](uint32_t ray) { sorted[starts[octant_[ray]]++] = ray; });
         }
         for (uint32_t i = 0, begin = 0; i < 8; begin = starts[i++]) {
-            if (starts[i] > begin) walk(sorted + begin, starts[i] - begin);
+            if (starts[i] > begin) walk(ChildLink::node(0), sorted + begin, starts[i] - begin);
             if (one_octant) break;
         }
     }
 
-private:
-    struct Pending {
-        uint32_t link;
-        uint16_t first, count; ///< its rays in ids_
-        float begin;           ///< none of them enters before
-        uint32_t hits;         ///< that had been found by then
-    };
-    static constexpr uint32_t arena_size = 8192; ///< links that do not fit are followed ray by ray
-
+    /// For rays of one octant that are picked elsewhere: prepare(), then for parts of the tree enter() and walk().
     /// What SingleRay and WideSlabs have, for all rays. Returns in which axes' signs they differ.
-    HWY_INLINE uint32_t prepare() {
+    HWY_NOINLINE uint32_t prepare() {
         const Box &box = question_.geometry.bounds;
         Uints some = hn::Zero(uints), every = hn::Set(uints, 7);
         Floats most_dir = hn::Zero(floats), most_reach = hn::Zero(floats);
@@ -102,13 +94,38 @@ private:
         return in_some & ~in_every;
     }
 
-    /// Rays of one octant.
-    HWY_INLINE void walk(const uint32_t *sorted, uint32_t count) {
+    /// Appends the selected rays of a block that enter a node's child; returns how many.
+    HWY_INLINE uint32_t enter(uint32_t block, const WideNode &node, uint32_t child, uint32_t *to) {
+        const uint32_t first_ray = block * block_size,
+                       octant = octant_[first_ray + lowest_bit(selection_.blocks[block])];
+        const auto bound = [&](uint32_t axis, bool far) {
+            const bool highest = ((octant >> axis & 1) != 0) != far;
+            return splat(node.bounds[axis + (highest ? WideNode::highest : WideNode::lowest)][child]);
+        };
+        uint32_t count = 0;
+        for (uint32_t part = 0; part < block_size; part += lane_count) {
+            const uint32_t ray = first_ray + part;
+            const auto slab = [&](uint32_t axis, bool far) {
+                return hn::MulSub(bound(axis, far), hn::Load(floats, inverse_[axis] + ray),
+                                  hn::Load(floats, (far ? far_offset_ : near_offset_)[axis] + ray));
+            };
+            const Floats t = hn::Load(floats, rays_.t + ray);
+            const Floats end = (t + splat(distance_error) * t) * hn::Load(floats, unit_ + ray);
+            hn::Store(end, floats, end_ + ray);
+            const Floats begin = hn::Max(max3(slab(0, false), slab(1, false), slab(2, false)), hn::Zero(floats));
+            const Floats stop = hn::Min(min3(slab(0, true), slab(1, true), slab(2, true)), end);
+            uint32_t lanes = bits_of(hn::Le(begin, stop)) & selection_.lanes(ray);
+            for (; lanes != 0; lanes &= lanes - 1) to[count++] = ray + lowest_bit(lanes);
+        }
+        return count;
+    }
+    /// Rays of one octant through all that a link leads to.
+    HWY_NOINLINE void walk(ChildLink root, const uint32_t *sorted, uint32_t count) {
         const Rows rows(octant_[sorted[0]]);
         Pending stack[most_lists];
         uint32_t pending = 0;
         for (uint32_t i = 0; i < count; ++i) ids_[i] = sorted[i];
-        stack[pending++] = {ChildLink::node(0).word(), 0, static_cast<uint16_t>(count), 0.0f, hits_};
+        stack[pending++] = {root.word(), 0, static_cast<uint16_t>(count), 0.0f, hits_};
         while (pending > 0) {
             Pending now = stack[--pending];
             if (now.hits != hits_) now.count = static_cast<uint16_t>(still_looking(now));
@@ -124,6 +141,18 @@ private:
             }
         }
     }
+
+    /// That have been found.
+    [[nodiscard]] HWY_INLINE uint32_t hits() const { return hits_; }
+
+private:
+    struct Pending {
+        uint32_t link;
+        uint16_t first, count; ///< its rays in ids_
+        float begin;           ///< none of them enters before
+        uint32_t hits;         ///< that had been found by then
+    };
+    static constexpr uint32_t arena_size = 8192; ///< links that do not fit are followed ray by ray
 
     /// Drops the rays that have found something nearer by now; returns how many are left.
     HWY_INLINE uint32_t still_looking(const Pending &now) {

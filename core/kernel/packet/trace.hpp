@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/kernel.hpp"
+#include "kernel/packet/block_stream.hpp"
 #include "kernel/packet/block_trace.hpp"
 #include "kernel/packet/group_trace.hpp"
 #include "kernel/packet/instance_space.hpp"
@@ -18,10 +19,12 @@ inline constexpr float widest_beam = 4.0f;
 inline constexpr uint32_t fewest_for_beam = 4;
 /// Fewer rays than this are traced singly rather than in step.
 inline constexpr uint32_t fewest_in_step = 3;
+/// Blocks are asked together where a vector holds half of them.
+inline constexpr bool has_block_streams = lane_count >= 8;
 /// Steps that a beam may take before it is taken apart: a group's, a quarter's. Measured: see docs/performance.md.
 inline constexpr uint32_t beam_budget[2] = {1600, 450};
 /// The same of a group's beam in the wide hierarchy, where streams take over.
-inline constexpr uint32_t bvh_beam_budget = 250;
+inline constexpr uint32_t bvh_beam_budget = 30;
 
 /// After some failures only every eighth beam of a size is tried.
 HWY_INLINE bool worth_trying(BeamHistory &history, int size) {
@@ -32,8 +35,8 @@ HWY_INLINE void note(BeamHistory &history, int size, bool succeeded) {
     history.failures[size] = static_cast<uint8_t>(failures < 0 ? 0 : failures > 8 ? 8 : failures);
 }
 
-/// Rays of a block that go the same way in step, others singly.
-template <bool shares_origin, bool any_hit>
+/// Rays of a block that go the same way in step, others singly. All origins are read.
+template <bool any_hit>
 HWY_NOINLINE void trace_apart(const TraceQuestion &question, RayGroup &rays, RaySelection &selection, uint32_t block) {
     const uint32_t first_ray = block * block_size;
     for (uint32_t waiting = selection.blocks[block]; waiting != 0;) {
@@ -42,13 +45,12 @@ HWY_NOINLINE void trace_apart(const TraceQuestion &question, RayGroup &rays, Ray
         waiting &= ~together;
         uint32_t hits = 0;
         if (static_cast<uint32_t>(__builtin_popcount(together)) >= fewest_in_step) {
-            BlockTrace<shares_origin, any_hit> trace(question, rays, block);
+            BlockTrace<any_hit> trace(question, rays, block);
             hits = trace.run(together);
         } else {
             for (uint32_t rest = together; rest != 0; rest &= rest - 1) {
                 const uint32_t l = lowest_bit(rest), r = first_ray + l;
-                const Point3 org =
-                    shares_origin ? rays.shared_origin : Point3{rays.org_x[r], rays.org_y[r], rays.org_z[r]};
+                const Point3 org = {rays.org_x[r], rays.org_y[r], rays.org_z[r]};
                 SingleTrace<any_hit> trace(question, rays, r, org);
                 if (!trace.run()) continue;
                 hits |= 1u << l;
@@ -124,6 +126,12 @@ template <bool shares_origin, bool any_hit> HWY_NOINLINE void trace_streams(cons
         note(history, 0, done);
         if (done) return;
     }
+    if constexpr (shares_origin && has_block_streams) {
+        if (has_beam && beam.has_one_octant()) {
+            BlockStream<any_hit>(question, rays, selection, beam, hint.ends).run();
+            return;
+        }
+    }
     StreamTrace<shares_origin, any_hit>(question, rays, selection, has_beam ? &beam : nullptr).run();
 }
 
@@ -137,7 +145,10 @@ trace_quarters(const TraceQuestion &question, RayGroup &rays, RaySelection &sele
         for (const uint32_t block : blocks) part.blocks[block] = selection.blocks[block];
         if (part.empty()) continue;
         if (trace_beam<shares_origin, any_hit>(question, rays, part, 1, history, {}) != BeamOutcome::done) {
-            for (const uint32_t block : blocks) trace_apart<shares_origin, any_hit>(question, rays, part, block);
+            for (const uint32_t block : blocks) {
+                if constexpr (shares_origin) rays.spread_origin(block);
+                trace_apart<any_hit>(question, rays, part, block);
+            }
         }
         if constexpr (any_hit) {
             for (const uint32_t block : blocks) selection.blocks[block] = part.blocks[block];
