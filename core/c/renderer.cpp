@@ -1,5 +1,6 @@
 // Renderers for C: their options, their trees, their threads.
 #include <algorithm>
+#include <span>
 
 #include "c/render_handles.hpp"
 #include "c/scene_handle.hpp"
@@ -38,7 +39,8 @@ SubmitTask submit_to(glint_submit_function submit, void *user) {
 }
 
 bool is_available(int32_t isa) {
-    return std::ranges::any_of(available_isas(), [&](Isa there) { return static_cast<int32_t>(there) == isa; });
+    const std::span<const Isa> there = available_isas();
+    return std::any_of(there.begin(), there.end(), [&](Isa i) { return static_cast<int32_t>(i) == isa; });
 }
 
 /// A tree of the scene: one that another renderer has, where it was made by threads of our own. A host's may be gone
