@@ -21,6 +21,7 @@
 #include "viewer/frame_pipeline.hpp"
 #include "viewer/overlay.hpp"
 #include "viewer/playback.hpp"
+#include "viewer/software_renderer.hpp"
 
 namespace glint::viewer {
 
@@ -72,13 +73,6 @@ std::optional<double> distance_at(const std::shared_ptr<const Accel> &accel, con
     RayQuery(accel, Isa::scalar).closest_hits(ray, {&t, &triangle});
     if (triangle == no_triangle) return std::nullopt;
     return t;
-}
-
-/// Whether the processor draws in place of a graphics processor, for which the sharp filter is too dear.
-bool is_software(const std::string &gl_description) {
-    constexpr const char *renderers[] = {"llvmpipe", "softpipe", "swrast", "SwiftShader"};
-    return std::any_of(std::begin(renderers), std::end(renderers),
-                       [&](const char *renderer) { return gl_description.find(renderer) != std::string::npos; });
 }
 
 class Loop {

@@ -24,10 +24,7 @@ class Readme(unittest.TestCase):
 class App(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        try:
-            jvm.jars()
-        except jvm.NoJars as error:
-            raise unittest.SkipTest(f"Maven Central is out of reach: {error}") from error
+        jvm.jars()
         app.compile_library()
         app.compile_sample()
         app.compile_tests()

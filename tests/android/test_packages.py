@@ -61,10 +61,7 @@ def load_segments(elf):
 class Packages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        try:
-            jvm.jars()
-        except jvm.NoJars as error:
-            raise unittest.SkipTest(f"Maven Central is out of reach: {error}") from error
+        jvm.jars()
         app.compile_library()
         app.compile_sample()
         app.link_resources()

@@ -2,13 +2,14 @@
 #include "android/session/view_session.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <span>
 #include <string>
 #include <thread>
 #include <utility>
 
 #include <glint/gles/context_facts.hpp>
+
+#include "viewer/software_renderer.hpp"
 
 namespace glint::android {
 
@@ -26,13 +27,6 @@ constexpr double most_step_s = 0.25;
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
-}
-
-/// Whether the processor draws in place of a graphics processor, for which the sharp filter is too dear.
-bool is_software(const std::string &gl_renderer) {
-    constexpr const char *renderers[] = {"llvmpipe", "softpipe", "swrast", "SwiftShader"};
-    return std::any_of(std::begin(renderers), std::end(renderers),
-                       [&](const char *renderer) { return gl_renderer.find(renderer) != std::string::npos; });
 }
 
 unsigned thread_count(unsigned asked_for) {
@@ -94,7 +88,7 @@ void ViewSession::context_created() {
     context_ = egl_.get_current_context();
     const auto facts = gles::describe_context(
         [get = egl_.get_proc_address](const char *name) { return reinterpret_cast<void *>(get(name)); });
-    filter_ = facts && !is_software(facts->renderer) ? gles::Filter::sharp : gles::Filter::bilinear;
+    filter_ = facts && !viewer::is_software(facts->renderer) ? gles::Filter::sharp : gles::Filter::bilinear;
 }
 
 void ViewSession::resize(uint32_t width_px, uint32_t height_px) {
