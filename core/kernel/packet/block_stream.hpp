@@ -52,7 +52,7 @@ private:
         float begin; ///< how far behind the beam's own begin it begins
         uint32_t link;
         uint16_t blocks; ///< that reach it
-        bool is_small;   ///< smaller than a block
+        bool is_small;   ///< left to single rays
         uint32_t box;    ///< whose child it is, times width, and which
     };
     static constexpr uint32_t most_pending = (WideNode::width - 1) * max_bvh_depth + WideNode::width;
@@ -74,7 +74,7 @@ private:
         return all;
     }
 
-    /// Children whose boxes are smaller, as they are seen, than a block.
+    /// Children whose boxes are so small, as they are seen, that single rays are better.
     HWY_INLINE uint32_t small_children(const WideNode &node, const float *begins) const {
         const BeamAxes &axes = beam_.axes;
         uint32_t small = 0;
@@ -230,7 +230,7 @@ private:
 
     StreamTrace<true, any_hit> streams_;
     bool streams_ready_ = false;
-    float block_area_ = 0.0f; ///< of a block in the middle, at depth 1
+    float block_area_ = 0.0f; ///< a block's mean area across the beam, at depth 1
     Pending stack_[most_pending];
 };
 
