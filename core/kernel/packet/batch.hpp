@@ -66,26 +66,50 @@ private:
 
     /// Rays with the same signs stand together, otherwise in the batch's order.
     HWY_INLINE void sort_by_signs() {
+        alignas(64) uint32_t octants[stream_window];
         uint32_t starts[9] = {};
-        const auto signs = [&](uint32_t i) {
-            return (__builtin_signbit(batch_.dir_x[first_ + i]) ? 1u : 0u) |
-                   (__builtin_signbit(batch_.dir_y[first_ + i]) ? 2u : 0u) |
-                   (__builtin_signbit(batch_.dir_z[first_ + i]) ? 4u : 0u);
-        };
-        for (uint32_t i = 0; i < count_; ++i) ++starts[signs(i) + 1];
+        uint32_t done = 0;
+        for (; done + lane_count <= count_; done += lane_count) {
+            const auto sign = [&](const float *row) {
+                return hn::ShiftRight<31>(hn::BitCast(uints, hn::LoadU(floats, row + first_ + done)));
+            };
+            const Uints x = sign(batch_.dir_x), y = sign(batch_.dir_y), z = sign(batch_.dir_z);
+            hn::Store(hn::Or(x, hn::Or(hn::ShiftLeft<1>(y), hn::ShiftLeft<2>(z))), uints, octants + done);
+        }
+        for (; done < count_; ++done) {
+            const auto sign = [&](const float *row) { return __builtin_signbit(row[first_ + done]) ? 1u : 0u; };
+            octants[done] = sign(batch_.dir_x) | sign(batch_.dir_y) << 1 | sign(batch_.dir_z) << 2;
+        }
+        for (uint32_t i = 0; i < count_; ++i) ++starts[octants[i] + 1];
         for (uint32_t octant = 0; octant < 8; ++octant) starts[octant + 1] += starts[octant];
-        for (uint32_t i = 0; i < count_; ++i) order_[starts[signs(i)]++] = static_cast<uint16_t>(i);
+        for (uint32_t i = 0; i < count_; ++i) order_[starts[octants[i]]++] = static_cast<uint16_t>(i);
     }
 
     /// Makes the group.
     HWY_INLINE void fill() {
-        put(rays_.org_x, batch_.org_x);
-        put(rays_.org_y, batch_.org_y);
-        put(rays_.org_z, batch_.org_z);
-        put(rays_.dir_x, batch_.dir_x);
-        put(rays_.dir_y, batch_.dir_y);
-        put(rays_.dir_z, batch_.dir_z);
-        put(rays_.t, batch_.t_max);
+        constexpr uint32_t rows = 7;
+        float *const to[rows] = {rays_.org_x, rays_.org_y, rays_.org_z, rays_.dir_x, rays_.dir_y, rays_.dir_z, rays_.t};
+        const float *from[rows] = {batch_.org_x, batch_.org_y, batch_.org_z, batch_.dir_x,
+                                   batch_.dir_y, batch_.dir_z, batch_.t_max};
+        if (one_order_) {
+            uint32_t i = 0;
+            for (; i + lane_count <= group_count_; i += lane_count) {
+                for (uint32_t row = 0; row < rows; ++row) {
+                    hn::Store(hn::LoadU(floats, from[row] + ray(i)), floats, to[row] + i);
+                }
+            }
+            for (; i < group_count_; ++i) {
+                for (uint32_t row = 0; row < rows; ++row) to[row][i] = from[row][ray(i)];
+            }
+        } else {
+            for (uint32_t i = 0; i < group_count_; ++i) {
+                const size_t number = ray(i);
+                for (uint32_t row = 0; row < rows; ++row) to[row][i] = from[row][number];
+            }
+        }
+        for (uint32_t i = group_count_; i % block_size != 0; ++i) { // lanes that are loaded, but not used
+            for (uint32_t row = 0; row < rows; ++row) to[row][i] = to[row][0];
+        }
         rays_.shared_origin = {rays_.org_x[0], rays_.org_y[0], rays_.org_z[0]};
         const Points org = splat(rays_.shared_origin);
         uint32_t other_origins = 0;
@@ -98,14 +122,6 @@ private:
             selection_.add(i, group_count_ - i >= lane_count ? all_lanes : (1u << (group_count_ - i)) - 1);
         }
         shares_origin_ = other_origins == 0;
-    }
-    HWY_INLINE void put(float *to, const float *from) const {
-        if (one_order_) {
-            __builtin_memcpy(to, from + ray(0), group_count_ * sizeof(float));
-        } else {
-            for (uint32_t i = 0; i < group_count_; ++i) to[i] = from[ray(i)];
-        }
-        for (uint32_t i = group_count_; i % block_size != 0; ++i) to[i] = to[0]; // lanes that are loaded, but not used
     }
 
     const RayBatch &batch_;
