@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/packet/block_beams.hpp"
+#include "kernel/packet/block_reach.hpp"
 #include "kernel/packet/triangle_test.hpp"
 
 namespace glint::HWY_NAMESPACE {
@@ -66,15 +67,17 @@ public:
     }
 
     /// For closest hits of rays that make no beam, in a tree that is a single leaf: all its triangles, each against all
-    /// rays. Of the beam `dir_reach` and `slack` must be known, and no apex.
+    /// blocks that can get there. Of the beam `dir_reach` and `slack` must be known, and no apex.
     HWY_INLINE void visit_root_leaf() {
         static_assert(!any_hit);
         const KdNode root = question_.geometry.nodes[0];
         const uint32_t count = root.reference_count();
         const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{root.first_reference()};
+        const BlockReach reach(rays_, selection_, beam_.slack);
         for (uint32_t i = 0; i < count; ++i) {
             const TriangleSetup triangle(words, count, i);
-            test_blocks(triangle, ExactPlane(triangle), (1u << block_count) - 1);
+            const uint32_t blocks = reach.of(triangle.corners);
+            if (blocks != 0) test_blocks(triangle, ExactPlane(triangle), blocks);
         }
     }
 
