@@ -14,7 +14,7 @@ namespace glint {
 
 /// Up to eight children, their boxes coordinate by coordinate: one vector instruction deals with all of them (Wald,
 /// Benthin & Boulos 2008, "Getting rid of packets"). Places without a child hold an empty box: lowest above highest.
-struct alignas(32) WideNode {
+struct alignas(64) WideNode {
     static constexpr uint32_t width = 8;
 
     float bounds[6][width]; ///< lowest x, y, z; highest x, y, z
@@ -22,7 +22,7 @@ struct alignas(32) WideNode {
 
     static constexpr uint32_t lowest = 0, highest = 3;
 };
-static_assert(sizeof(WideNode) == 224);
+static_assert(sizeof(WideNode) == 256); // found by a shift
 
 /// Where a child is found: a node of this number or, with a count, a leaf whose first reference has this number.
 class ChildLink {

@@ -3,13 +3,13 @@
 // a box is asked once for sixteen of them, and a triangle meets them all at once.
 #pragma once
 
-#include "kernel/packet/group_test.hpp"
+#include "kernel/packet/leaf_lists.hpp"
 #include "kernel/packet/stream_trace.hpp"
 
 namespace glint::HWY_NAMESPACE {
 
 /// What is smaller than so many blocks, as it is seen, is left to single rays.
-inline constexpr float small_to_block = 4.0f;
+inline constexpr float small_to_block = 6.0f;
 
 template <bool any_hit> class BlockStream : private GroupTest<true, any_hit> {
     using Test = GroupTest<true, any_hit>;
@@ -29,6 +29,7 @@ public:
         stack_[pending++] = {0.0f, ChildLink::node(0).word(), static_cast<uint16_t>(all), false, 0};
         while (pending > 0) {
             const Pending now = stack_[--pending];
+            if (pending > 0) prefetch(question_.geometry, ChildLink(stack_[pending - 1].link));
             const uint32_t blocks = now.blocks & blocks_beyond(now.begin);
             if (blocks == 0) continue;
             const ChildLink link(now.link);
@@ -93,7 +94,7 @@ private:
     /// Goes on with the rays themselves.
     HWY_INLINE void trace_rays(const Pending &now, uint32_t blocks) {
         const WideNode &node = question_.geometry.wide_nodes[now.box / WideNode::width];
-        uint32_t rays[group_size], count = 0;
+        uint32_t rays[group_size + 4], count = 0;
         for (uint32_t rest = blocks; rest != 0; rest &= rest - 1) {
             count += streams_.enter(lowest_bit(rest), node, now.box % WideNode::width, rays + count);
         }
@@ -203,7 +204,7 @@ private:
                 const uint32_t ray = block * block_size + part;
                 const Points dir = rays_.dir(ray);
                 const Floats det = dot(n, dir);
-                const FilterResult result = judge(det, dot(u, dir), dot(v, dir), margin);
+                const FilterResult result = judge(det, fused_dot(u, dir), fused_dot(v, dir), margin);
                 uint32_t possible = bits_of(result.possible) & lanes;
                 if (possible == 0) continue;
                 possible &= ~this->lanes_that_left(id, ray);

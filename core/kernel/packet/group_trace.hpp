@@ -28,7 +28,7 @@ public:
                 alignas(32) float begins[WideNode::width];
                 const uint32_t entered = children_in_beam(beam_, node, begins);
                 if (entered != 0) {
-                    next = waiting.nearest_of<true>(node, begins, entered);
+                    next = waiting.nearest_of<true>(question_.geometry, node, begins, entered);
                     continue;
                 }
             } else if (visit_leaf(next.number(), next.reference_count())) {

@@ -88,6 +88,31 @@ HWY_INLINE FloatMask mask_of(uint32_t bits) {
 #endif
 }
 
+/// Where the bytes of those of four numbers are whose bits are set: a row for each set of them.
+struct ChosenBytes {
+    alignas(16) uint8_t rows[16][16] = {};
+
+    constexpr ChosenBytes() {
+        for (uint32_t bits = 0; bits < 16; ++bits) {
+            uint32_t to = 0;
+            for (uint32_t from = 0; from < 16; ++from) {
+                if ((bits >> (from / 4) & 1) != 0) rows[bits][to++] = static_cast<uint8_t>(from);
+            }
+        }
+    }
+};
+inline constexpr ChosenBytes chosen_bytes;
+
+/// Four numbers, those first whose bits are set, in their order. (Highway's Compress() has a table of a kilobyte, which
+/// gcc 12 copies at each call.)
+using FourUints = hn::CappedTag<uint32_t, 4>;
+inline constexpr FourUints four_uints;
+HWY_INLINE hn::Vec<FourUints> chosen_first(hn::Vec<FourUints> numbers, uint32_t bits) {
+    const hn::Repartition<uint8_t, FourUints> bytes;
+    return hn::BitCast(four_uints,
+                       hn::TableLookupBytes(hn::BitCast(bytes, numbers), hn::Load(bytes, chosen_bytes.rows[bits])));
+}
+
 HWY_INLINE Floats min3(Floats a, Floats b, Floats c) {
     return hn::Min(hn::Min(a, b), c);
 }
@@ -119,6 +144,15 @@ struct Points {
 };
 HWY_INLINE Floats dot(const Points &a, const Points &b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+/// With fewer roundings where a machine has an instruction for it, so that it is not the same on every machine: only
+/// for what is compared with a margin.
+template <typename V> HWY_INLINE V fused_dot(V ax, V ay, V az, V bx, V by, V bz) {
+    return hn::MulAdd(ax, bx, hn::MulAdd(ay, by, az * bz));
+}
+HWY_INLINE Floats fused_dot(const Points &a, const Points &b) {
+    return fused_dot(a.x, a.y, a.z, b.x, b.y, b.z);
 }
 
 HWY_INLINE Floats max_abs(const Points &p) {

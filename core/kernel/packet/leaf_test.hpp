@@ -1,34 +1,41 @@
-// The triangles of a leaf, several at once, against one ray after another.
+// One ray against the triangles of a leaf, several at once.
 #pragma once
 
 #include "kernel/packet/group_test.hpp"
 
 namespace glint::HWY_NAMESPACE {
 
-using HalfLeafTag = hn::Half<NarrowTag>;
-using HalfLeafDoubleTag = hn::Rebind<double, HalfLeafTag>;
-using HalfLeafDoubles = hn::Vec<HalfLeafDoubleTag>;
-inline constexpr HalfLeafTag half_leaf_floats;
-inline constexpr HalfLeafDoubleTag half_leaf_doubles;
-
-/// What a leaf's triangles are, whatever the rays.
+/// The triangles of a leaf from number `first` on, one a lane.
 class LeafLanes {
 public:
-    /// Those from number `first` on, of `count`.
+    /// Of `count` altogether.
     HWY_INLINE LeafLanes(const uint32_t *words, uint32_t count, uint32_t first)
-        : words_(words), count_(count), first_(first), valid_((1u << smaller(count - first, narrow_lanes)) - 1) {}
+        : words_(words), count_(count), first_(first) {}
+
+    /// Lanes that hold a triangle.
+    [[nodiscard]] HWY_INLINE uint32_t valid() const { return (1u << smaller(count_ - first_, narrow_lanes)) - 1; }
 
     /// Those that do not block.
     [[nodiscard]] HWY_INLINE uint32_t passed_by(const TraceQuestion &question) const {
-        uint32_t bits = 0;
-        for (uint32_t lane = 0; lane < narrow_lanes && first_ + lane < count_; ++lane) {
-            if (id(lane) - question.first_passed < question.passed_count) bits |= 1u << lane;
-        }
-        return bits;
+        const hn::RebindToUnsigned<NarrowTag> narrow_uints;
+        const auto ids = hn::LoadU(narrow_uints, words_ + (9 * count_ + first_));
+        return bits_of(narrow_uints, hn::Lt(ids - hn::Set(narrow_uints, question.first_passed),
+                                            hn::Set(narrow_uints, question.passed_count)));
     }
 
     [[nodiscard]] HWY_INLINE NarrowFloats row(uint32_t r) const {
         return hn::LoadU(narrow_floats, reinterpret_cast<const float *>(words_ + r * count_ + first_));
+    }
+
+    /// One coordinate of the corners.
+    struct Corners {
+        NarrowFloats a, b, c;
+    };
+    [[nodiscard]] HWY_INLINE Corners corners(uint32_t axis) const {
+        const auto *const a = reinterpret_cast<const float *>(words_) + (axis * count_ + first_);
+        const size_t stride = size_t{3} * count_;
+        return {hn::LoadU(narrow_floats, a), hn::LoadU(narrow_floats, a + stride),
+                hn::LoadU(narrow_floats, a + 2 * stride)};
     }
 
     [[nodiscard]] HWY_INLINE uint32_t id(uint32_t lane) const { return words_[9 * count_ + first_ + lane]; }
@@ -40,11 +47,16 @@ public:
         return exact_distance(from, along, triangle.corners);
     }
 
-    uint32_t passes = 0; ///< lanes that do not block
-
-protected:
-    static HWY_INLINE NarrowFloats abs_max(NarrowFloats x, NarrowFloats y, NarrowFloats z) {
-        return hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
+    /// The same where the ray is certainly inside.
+    [[nodiscard]] HWY_INLINE float distance(uint32_t lane, const Point3 &org, const Point3 &dir) const {
+        const TriangleSetup triangle(words_, count_, first_ + lane);
+        const ExactPlane plane(triangle);
+        const double offset = plane.offset(triangle, org);
+        const Point3 n = plane.n.rounded();
+        const float det = (n.x * dir.x + n.y * dir.y) + n.z * dir.z;
+        if (!(magnitude(det) < least_slope * sum_abs(n) * max_abs(dir))) return static_cast<float>(offset) / det;
+        return static_cast<float>(
+            offset / ((plane.n.x * double(dir.x) + plane.n.y * double(dir.y)) + plane.n.z * double(dir.z)));
     }
 
     /// Lowers best_t and sets best_id where one of the possible lanes' triangles is nearer, or as near with a lower id;
@@ -67,207 +79,106 @@ protected:
         return hit;
     }
 
-    /// The same where the ray is certainly inside.
-    [[nodiscard]] HWY_INLINE float distance(uint32_t lane, const Point3 &org, const Point3 &dir,
-                                            float dir_reach) const {
-        const TriangleSetup triangle(words_, count_, first_ + lane);
-        const ExactPlane plane(triangle);
-        const double offset = plane.offset(triangle, org);
-        const Point3 n = plane.n.rounded();
-        const float det = (n.x * dir.x + n.y * dir.y) + n.z * dir.z;
-        if (!(magnitude(det) < least_slope * sum_abs(n) * dir_reach)) return static_cast<float>(offset) / det;
-        return static_cast<float>(
-            offset / ((plane.n.x * double(dir.x) + plane.n.y * double(dir.y)) + plane.n.z * double(dir.z)));
-    }
-
+private:
     const uint32_t *words_;
-    uint32_t count_, first_, valid_;
+    uint32_t count_, first_;
 };
 
-struct LeafVerdict {
-    uint32_t outside, certain;
+/// A ray as it meets a leaf's triangles: in coordinates in which it runs along z, the axis that it mostly follows, and
+/// z stays what it is (Woop, Benthin & Wald 2013, "Watertight ray/triangle intersection"). There the signs of
+///     U = C x B,  V = A x C,  W = B x A
+/// of the corners, seen from the origin, say on which sides of the edges it passes.
+///
+/// The error, by counting every rounding, with eps = 2^-24, r the largest coordinate of a corner seen from the origin,
+/// and m that of the corners in the new x and y: the corners there are off by 6 eps r + eps m, U, V and W by
+/// eps m (24 r + 8 m).
+struct LeafRay {
+    Point3 org, dir;
+    uint32_t left;          ///< the triangle that is passed
+    float reach_margin;     ///< the part of the error that the way from the origin to any corner has
+    uint32_t z;             ///< an axis of the world's; x and y are the others in their order
+    float slope_x, slope_y; ///< how far it goes along x and y for one step along z
+
+    static constexpr float error = 28 * 0x1p-24f;
+
+    [[nodiscard]] HWY_INLINE uint32_t x() const { return z == 0 ? 1 : 0; }
+    [[nodiscard]] HWY_INLINE uint32_t y() const { return z == 2 ? 1 : 2; }
 };
-HWY_INLINE LeafVerdict judge_leaf(NarrowFloats det, NarrowFloats u, NarrowFloats v, NarrowFloats margin) {
-    const auto w = (det - u) - v;
-    const auto least = hn::Min(hn::Min(u, v), w), greatest = hn::Max(hn::Max(u, v), w);
-    const auto minus_margin = hn::Neg(margin);
-    return {bits_of(narrow_floats, hn::And(hn::Gt(greatest, margin), hn::Lt(least, minus_margin))),
-            bits_of(narrow_floats, hn::Or(hn::Gt(least, margin), hn::Lt(greatest, minus_margin)))};
+
+/// `reach` is at least the largest coordinate of the way from the origin to any corner.
+HWY_INLINE LeafRay leaf_ray(const Point3 &org, const Point3 &dir, float reach, uint32_t left) {
+    LeafRay ray;
+    ray.org = org;
+    ray.dir = dir;
+    ray.left = left;
+    ray.reach_margin = LeafRay::error * reach;
+    const float along_x = magnitude(dir.x), along_y = magnitude(dir.y), along_z = magnitude(dir.z);
+    ray.z = along_x >= along_y && along_x >= along_z ? 0 : along_y >= along_z ? 1 : 2;
+    const float components[3] = {dir.x, dir.y, dir.z};
+    ray.slope_x = components[ray.x()] / components[ray.z];
+    ray.slope_y = components[ray.y()] / components[ray.z];
+    return ray;
 }
 
-/// Planes as ExactPlane has them, for half of the lanes.
-struct LeafPlanes {
-    HalfLeafDoubles a[3], e1[3], e2[3], n[3];
-
-    LeafPlanes() = default;
-    HWY_INLINE LeafPlanes(const LeafLanes &leaf, bool is_upper) {
-        const auto row = [&](uint32_t r) {
-            const auto all = leaf.row(r);
-            return hn::PromoteTo(half_leaf_doubles, is_upper ? hn::UpperHalf(half_leaf_floats, all)
-                                                             : hn::LowerHalf(half_leaf_floats, all));
-        };
-        for (uint32_t i = 0; i < 3; ++i) {
-            a[i] = row(i);
-            e1[i] = row(3 + i) - a[i];
-            e2[i] = row(6 + i) - a[i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            const int j = (i + 1) % 3, k = (i + 2) % 3;
-            n[i] = e1[j] * e2[k] - e1[k] * e2[j];
-        }
-    }
-
-    static HWY_INLINE HalfLeafDoubles set(float value) { return hn::Set(half_leaf_doubles, double(value)); }
-
-    /// n . (a - org)
-    [[nodiscard]] HWY_INLINE HalfLeafDoubles offset(const Point3 &org) const {
-        return (n[0] * (a[0] - set(org.x)) + n[1] * (a[1] - set(org.y))) + n[2] * (a[2] - set(org.z));
-    }
-};
-HWY_INLINE NarrowFloats both_halves(HalfLeafDoubles lower, HalfLeafDoubles upper) {
-    return hn::Combine(narrow_floats, hn::DemoteTo(half_leaf_floats, upper), hn::DemoteTo(half_leaf_floats, lower));
-}
-
-/// For rays that start anywhere: see TriangleFromAnywhere. `for_many`: for so many rays that distances to all planes
-/// are worth working out at once.
-template <bool for_many> class LeafFromAnywhere : public LeafLanes {
+/// On which sides of a triangle's edges a ray passes, a triangle a lane, up to an error less than the margin.
+class LeafVerdict {
 public:
-    HWY_INLINE LeafFromAnywhere(const uint32_t *words, uint32_t count, uint32_t first, float dir_reach, float reach)
-        : LeafLanes(words, count, first),
-          ax_(row(0)),
-          ay_(row(1)),
-          az_(row(2)),
-          e1x_(row(3) - ax_),
-          e1y_(row(4) - ay_),
-          e1z_(row(5) - az_),
-          e2x_(row(6) - ax_),
-          e2y_(row(7) - ay_),
-          e2z_(row(8) - az_),
-          nx_(e1y_ * e2z_ - e1z_ * e2y_),
-          ny_(e1z_ * e2x_ - e1x_ * e2z_),
-          nz_(e1x_ * e2y_ - e1y_ * e2x_),
-          margin_(hn::Zero(narrow_floats)),
-          margin_per_q_(hn::Zero(narrow_floats)) {
-        const auto e = hn::Max(abs_max(e1x_, e1y_, e1z_), abs_max(e2x_, e2y_, e2z_));
-        margin_ = e * (narrow_splat(from_anywhere_error * dir_reach) * (narrow_splat(reach) + (e + e))) +
-                  narrow_splat(least_margin);
-        margin_per_q_ = narrow_splat(from_anywhere_cross_error) * e;
-    }
+    HWY_INLINE LeafVerdict(NarrowFloats u, NarrowFloats v, NarrowFloats w, NarrowFloats margin)
+        : least_(hn::Min(hn::Min(u, v), w)), greatest_(hn::Max(hn::Max(u, v), w)), margin_(margin) {}
 
-    /// `dir_reach` is the largest coordinate of this ray's direction.
-    template <bool any_hit> HWY_INLINE bool hit(const Point3 &org, const Point3 &dir, float dir_reach, uint32_t left,
-                                                float &best_t, uint32_t &best_id) {
-        const auto dx = narrow_splat(dir.x), dy = narrow_splat(dir.y), dz = narrow_splat(dir.z);
-        const auto sx = narrow_splat(org.x) - ax_, sy = narrow_splat(org.y) - ay_, sz = narrow_splat(org.z) - az_;
-        const auto qx = dy * sz - dz * sy, qy = dz * sx - dx * sz, qz = dx * sy - dy * sx;
-        const auto margin = margin_ + margin_per_q_ * ((hn::Abs(qx) + hn::Abs(qy)) + hn::Abs(qz));
-        const LeafVerdict verdict = judge_leaf((nx_ * dx + ny_ * dy) + nz_ * dz, (e2x_ * qx + e2y_ * qy) + e2z_ * qz,
-                                               hn::Neg((e1x_ * qx + e1y_ * qy) + e1z_ * qz), margin);
-        uint32_t possible = ~verdict.outside & valid_ & ~passes;
-        if (possible == 0) return false;
-        uint32_t grazing = 0;
-        alignas(32) float t[narrow_lanes];
-        if constexpr (for_many) {
-            if (!has_planes_) make_planes();
-            const auto det = (plane_[0] * dx + plane_[1] * dy) + plane_[2] * dz;
-            grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(det), grazing_ * narrow_splat(dir_reach)));
-            hn::Store(both_halves(lower_.offset(org), upper_.offset(org)) / det, narrow_floats, t);
-        }
-        return settle<any_hit>(possible, verdict.certain, org, dir, left, best_t, best_id, [&](uint32_t lane) {
-            return !for_many || (grazing >> lane & 1) != 0 ? distance(lane, org, dir, dir_reach) : t[lane];
-        });
+    /// Certainly missed.
+    [[nodiscard]] HWY_INLINE uint32_t outside() const {
+        return bits_of(narrow_floats, hn::And(hn::Gt(greatest_, margin_), hn::Lt(least_, hn::Neg(margin_))));
+    }
+    /// Certainly met, and not edge on.
+    [[nodiscard]] HWY_INLINE uint32_t certain() const {
+        return bits_of(narrow_floats, hn::Or(hn::Gt(least_, margin_), hn::Lt(greatest_, hn::Neg(margin_))));
     }
 
 private:
-    HWY_INLINE void make_planes() {
-        lower_ = LeafPlanes(*this, false);
-        upper_ = LeafPlanes(*this, true);
-        for (int i = 0; i < 3; ++i) plane_[i] = both_halves(lower_.n[i], upper_.n[i]);
-        grazing_ = narrow_splat(least_slope) * ((hn::Abs(plane_[0]) + hn::Abs(plane_[1])) + hn::Abs(plane_[2]));
-        has_planes_ = true;
-    }
-
-    NarrowFloats ax_, ay_, az_, e1x_, e1y_, e1z_, e2x_, e2y_, e2z_, nx_, ny_, nz_, margin_, margin_per_q_;
-    bool has_planes_ = false; ///< what follows is made when a ray may hit
-    LeafPlanes lower_{}, upper_{};
-    NarrowFloats plane_[3] = {hn::Zero(narrow_floats), hn::Zero(narrow_floats), hn::Zero(narrow_floats)};
-    NarrowFloats grazing_ = hn::Zero(narrow_floats);
+    NarrowFloats least_, greatest_, margin_;
 };
 
-/// For rays from one point: see TriangleFromPoint.
-class LeafFromPoint : public LeafLanes {
-public:
-    HWY_INLINE LeafFromPoint(const uint32_t *words, uint32_t count, uint32_t first, const Point3 &org, float dir_reach)
-        : LeafLanes(words, count, first), org_(org) {
-        const Half lower(*this, org, false), upper(*this, org, true);
-        for (int i = 0; i < 3; ++i) {
-            u_[i] = both_halves(lower.u[i], upper.u[i]);
-            v_[i] = both_halves(lower.v[i], upper.v[i]);
-            n_[i] = both_halves(lower.n[i], upper.n[i]);
-        }
-        offset_ = both_halves(lower.offset, upper.offset);
-        const auto e = hn::Max(abs_max(row(3) - row(0), row(4) - row(1), row(5) - row(2)),
-                               abs_max(row(6) - row(0), row(7) - row(1), row(8) - row(2)));
-        const auto s = abs_max(both_halves(lower.s[0], upper.s[0]), both_halves(lower.s[1], upper.s[1]),
-                               both_halves(lower.s[2], upper.s[2]));
-        margin_ = narrow_splat(from_point_error * dir_reach) * e * (s + e) + narrow_splat(least_margin);
-        grazing_ = narrow_splat(least_slope) * ((hn::Abs(n_[0]) + hn::Abs(n_[1])) + hn::Abs(n_[2]));
-    }
-
-    template <bool any_hit> HWY_INLINE bool hit(const Point3 &, const Point3 &dir, float dir_reach, uint32_t left,
-                                                float &best_t, uint32_t &best_id) {
-        const auto dx = narrow_splat(dir.x), dy = narrow_splat(dir.y), dz = narrow_splat(dir.z);
-        const auto det = (n_[0] * dx + n_[1] * dy) + n_[2] * dz;
-        const LeafVerdict verdict =
-            judge_leaf(det, (u_[0] * dx + u_[1] * dy) + u_[2] * dz, (v_[0] * dx + v_[1] * dy) + v_[2] * dz, margin_);
-        uint32_t possible = ~verdict.outside & valid_ & ~passes;
-        if (possible == 0) return false;
-        const uint32_t grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(det), grazing_ * narrow_splat(dir_reach)));
-        alignas(32) float t[narrow_lanes];
-        hn::Store(offset_ / det, narrow_floats, t);
-        return settle<any_hit>(possible, verdict.certain, org_, dir, left, best_t, best_id, [&](uint32_t lane) {
-            return (grazing >> lane & 1) != 0 ? distance(lane, org_, dir, dir_reach) : t[lane];
-        });
-    }
-
-    /// What has been worked out, to be read lane by lane.
-    struct Rows {
-        alignas(32) float u[3][narrow_lanes], v[3][narrow_lanes], n[3][narrow_lanes];
-        alignas(32) float offset[narrow_lanes], margin[narrow_lanes], grazing[narrow_lanes];
+HWY_INLINE LeafVerdict judge_leaf(const LeafLanes &leaf, const LeafRay &ray) {
+    const auto seen = [&](uint32_t axis) {
+        const float org[3] = {ray.org.x, ray.org.y, ray.org.z};
+        const LeafLanes::Corners corners = leaf.corners(axis);
+        const auto from = narrow_splat(org[axis]);
+        return LeafLanes::Corners{from - corners.a, from - corners.b, from - corners.c};
     };
-    HWY_INLINE Rows rows() const {
-        Rows rows;
-        for (int i = 0; i < 3; ++i) {
-            hn::Store(u_[i], narrow_floats, rows.u[i]);
-            hn::Store(v_[i], narrow_floats, rows.v[i]);
-            hn::Store(n_[i], narrow_floats, rows.n[i]);
-        }
-        hn::Store(offset_, narrow_floats, rows.offset);
-        hn::Store(margin_, narrow_floats, rows.margin);
-        hn::Store(grazing_, narrow_floats, rows.grazing);
-        return rows;
-    }
-
-private:
-    /// In double, for half of the lanes.
-    struct Half : LeafPlanes {
-        HalfLeafDoubles s[3], u[3], v[3], offset;
-
-        HWY_INLINE Half(const LeafLanes &leaf, const Point3 &org, bool is_upper)
-            : LeafPlanes(leaf, is_upper), offset(LeafPlanes::offset(org)) {
-            s[0] = set(org.x) - a[0];
-            s[1] = set(org.y) - a[1];
-            s[2] = set(org.z) - a[2];
-            for (int i = 0; i < 3; ++i) {
-                const int j = (i + 1) % 3, k = (i + 2) % 3;
-                u[i] = s[j] * e2[k] - s[k] * e2[j];
-                v[i] = e1[j] * s[k] - e1[k] * s[j];
-            }
-        }
+    const LeafLanes::Corners z = seen(ray.z);
+    const auto sheared = [&](uint32_t axis, float slope) {
+        const LeafLanes::Corners corners = seen(axis);
+        const auto by = narrow_splat(slope);
+        return LeafLanes::Corners{hn::NegMulAdd(by, z.a, corners.a), hn::NegMulAdd(by, z.b, corners.b),
+                                  hn::NegMulAdd(by, z.c, corners.c)};
     };
+    const LeafLanes::Corners x = sheared(ray.x(), ray.slope_x), y = sheared(ray.y(), ray.slope_y);
+    const auto m = hn::Max(hn::Max(hn::Max(hn::Abs(x.a), hn::Abs(y.a)), hn::Max(hn::Abs(x.b), hn::Abs(y.b))),
+                           hn::Max(hn::Abs(x.c), hn::Abs(y.c)));
+    return {hn::MulSub(x.c, y.b, y.c * x.b), hn::MulSub(x.a, y.c, y.a * x.c), hn::MulSub(x.b, y.a, y.b * x.a),
+            hn::MulAdd(m, hn::MulAdd(m, narrow_splat(LeafRay::error), narrow_splat(ray.reach_margin)),
+                       narrow_splat(least_margin))};
+}
 
-    const Point3 &org_;
-    NarrowFloats u_[3], v_[3], n_[3], offset_, margin_, grazing_;
-};
+/// One ray against the triangles of a leaf. Lowers best_t and sets best_id where something nearer is hit, or as near
+/// with a lower id; where any hit will do, stops at the first. Returns whether there was one.
+template <bool any_hit> HWY_NOINLINE bool hit_leaf(const TraceQuestion &question, uint32_t first_reference,
+                                                   uint32_t count, const LeafRay &ray, float &best_t,
+                                                   uint32_t &best_id) {
+    const uint32_t *words = question.geometry.leaf_words + words_per_reference * size_t{first_reference};
+    bool hit = false;
+    for (uint32_t first = 0; first < count; first += narrow_lanes) {
+        const LeafLanes leaf(words, count, first);
+        const LeafVerdict verdict = judge_leaf(leaf, ray);
+        uint32_t possible = leaf.valid() & ~verdict.outside();
+        if (possible == 0) continue;
+        if constexpr (any_hit) possible &= ~leaf.passed_by(question);
+        hit |= leaf.template settle<any_hit>(possible, verdict.certain(), ray.org, ray.dir, ray.left, best_t, best_id,
+                                             [&](uint32_t lane) { return leaf.distance(lane, ray.org, ray.dir); });
+        if (any_hit && hit) return true;
+    }
+    return hit;
+}
 
 } // namespace glint::HWY_NAMESPACE

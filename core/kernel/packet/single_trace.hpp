@@ -10,13 +10,12 @@ struct SingleRay {
     float org[3], dir[3];
     float inverse_dir[3];     ///< finite: components too small to matter are made tiny instead of zero
     float parameter_slack[3]; ///< slack as a difference of t, along each axis
-    float dir_reach, reach;   ///< largest coordinate of the direction; of the way to any corner
+    float reach;              ///< largest coordinate of the way to any corner
 
     HWY_INLINE SingleRay(const Point3 &o, const Point3 &d, const Box &scene_bounds)
         : org{o.x, o.y, o.z}, dir{d.x, d.y, d.z} {
-        dir_reach = larger(larger(magnitude(d.x), magnitude(d.y)), magnitude(d.z));
         reach = reach_of(scene_bounds, o);
-        const float slack = 0x1p-20f * reach, tiny = 1e-15f * dir_reach;
+        const float slack = 0x1p-20f * reach, tiny = 1e-15f * max_abs(d);
         for (int axis = 0; axis < 3; ++axis) {
             const float a = dir[axis];
             inverse_dir[axis] = 1.0f / (magnitude(a) < tiny ? __builtin_copysignf(tiny, a) : a);
@@ -25,29 +24,13 @@ struct SingleRay {
     }
 };
 
-/// One ray against the triangles of a leaf. `dir_reach` and `reach` are at least the largest coordinate of the
-/// direction and of the way from the origin to any corner. Lowers best_t and sets best_id where something nearer is
-/// hit, or as near with a lower id; where any hit will do, stops at the first. Returns whether there was one.
-template <bool any_hit> HWY_INLINE bool hit_leaf(const TraceQuestion &question, uint32_t first_reference,
-                                                 uint32_t count, const Point3 &org, const Point3 &dir, float dir_reach,
-                                                 float reach, uint32_t left, float &best_t, uint32_t &best_id) {
-    const uint32_t *words = question.geometry.leaf_words + words_per_reference * size_t{first_reference};
-    bool hit = false;
-    for (uint32_t first = 0; first < count; first += narrow_lanes) {
-        LeafFromAnywhere<false> leaf(words, count, first, dir_reach, reach);
-        leaf.passes = any_hit ? leaf.passed_by(question) : 0;
-        hit |= leaf.template hit<any_hit>(org, dir, max_abs(dir), left, best_t, best_id);
-        if (any_hit && hit) return true;
-    }
-    return hit;
-}
-
 template <bool any_hit> class SingleTrace {
 public:
     HWY_INLINE SingleTrace(const TraceQuestion &question, RayGroup &rays, uint32_t number, const Point3 &org)
         : question_(question),
           ray_(org, {rays.dir_x[number], rays.dir_y[number], rays.dir_z[number]}, question.geometry.bounds),
-          left_(rays.left[number]),
+          leaf_ray_(leaf_ray(org, {rays.dir_x[number], rays.dir_y[number], rays.dir_z[number]}, ray_.reach,
+                             rays.left[number])),
           best_t_(rays.t[number]),
           best_id_(rays.triangle_id[number]) {}
 
@@ -94,9 +77,8 @@ public:
                 }
                 continue;
             }
-            if (hit_leaf<any_hit>(question_, node.first_reference(), node.reference_count(),
-                                  {ray_.org[0], ray_.org[1], ray_.org[2]}, {ray_.dir[0], ray_.dir[1], ray_.dir[2]},
-                                  ray_.dir_reach, ray_.reach, left_, best_t_, best_id_)) {
+            if (hit_leaf<any_hit>(question_, node.first_reference(), node.reference_count(), leaf_ray_, best_t_,
+                                  best_id_)) {
                 if (any_hit) return true;
                 hit_ = true;
             }
@@ -116,7 +98,7 @@ public:
 private:
     const TraceQuestion &question_;
     SingleRay ray_;
-    uint32_t left_;
+    LeafRay leaf_ray_;
     float best_t_;
     uint32_t best_id_;
     bool hit_ = false;

@@ -3,6 +3,7 @@
 // Akenine-Moller 2014, "Dynamic ray stream traversal"). Lists that got short are finished ray by ray.
 #pragma once
 
+#include "kernel/packet/leaf_lists.hpp"
 #include "kernel/packet/wide_single.hpp"
 
 namespace glint::HWY_NAMESPACE {
@@ -11,6 +12,8 @@ namespace glint::HWY_NAMESPACE {
 inline constexpr uint32_t fewest_in_stream = 3;
 /// Fewer rays than this ask a node's children at once, not the beam around all rays first.
 inline constexpr uint32_t fewest_to_ask_beam = 16;
+/// Fewer rays than this are not worth working out what a leaf's triangles have for all rays.
+inline constexpr uint32_t fewest_to_prepare_leaf = 3;
 /// Lists that wait: those of a node's children at every level.
 inline constexpr uint32_t most_lists = (WideNode::width - 1) * max_bvh_depth + WideNode::width;
 
@@ -76,10 +79,21 @@ public:
             hn::Store((t + splat(distance_error) * t) * unit, floats, end_ + ray);
             hn::Store(unit, floats, unit_ + ray);
             hn::Store(octant, uints, octant_ + ray);
+            hn::Store(largest, floats, ray_dir_reach_ + ray);
+            // As leaf_ray() has it.
+            const Floats along[3] = {hn::Abs(dir.x), hn::Abs(dir.y), hn::Abs(dir.z)};
+            const FloatMask by_x = hn::And(hn::Ge(along[0], along[1]), hn::Ge(along[0], along[2]));
+            const FloatMask by_y = hn::Ge(along[1], along[2]);
+            const Floats one = splat(1.0f) / hn::IfThenElse(by_x, dir.x, hn::IfThenElse(by_y, dir.y, dir.z));
+            hn::Store(hn::IfThenElse(by_x, dir.y, dir.x) * one, floats, slope_x_ + ray);
+            hn::Store(hn::IfThenElse(hn::Or(by_x, by_y), dir.z, dir.y) * one, floats, slope_y_ + ray);
+            hn::Store(
+                hn::IfThenZeroElse(hn::RebindMask(uints, by_x),
+                                   hn::IfThenElse(hn::RebindMask(uints, by_y), hn::Set(uints, 1), hn::Set(uints, 2))),
+                uints, most_along_ + ray);
             const auto selected = hn::RebindMask(uints, lanes);
             some = hn::Or(some, hn::IfThenElseZero(selected, octant));
             every = hn::And(every, hn::IfThenElse(selected, octant, every));
-            hn::Store(largest, floats, ray_dir_reach_ + ray);
         });
         dir_reach_ = greatest_lane(most_dir);
         reach_ = greatest_lane(most_reach);
@@ -94,7 +108,7 @@ public:
         return in_some & ~in_every;
     }
 
-    /// Appends the selected rays of a block that enter a node's child; returns how many.
+    /// Appends the selected rays of a block that enter a node's child; returns how many. Up to four more are written.
     HWY_INLINE uint32_t enter(uint32_t block, const WideNode &node, uint32_t child, uint32_t *to) {
         const uint32_t first_ray = block * block_size,
                        octant = octant_[first_ray + lowest_bit(selection_.blocks[block])];
@@ -109,33 +123,41 @@ public:
                 return hn::MulSub(bound(axis, far), hn::Load(floats, inverse_[axis] + ray),
                                   hn::Load(floats, (far ? far_offset_ : near_offset_)[axis] + ray));
             };
-            const Floats t = hn::Load(floats, rays_.t + ray);
-            const Floats end = (t + splat(distance_error) * t) * hn::Load(floats, unit_ + ray);
-            hn::Store(end, floats, end_ + ray);
+            Floats end = hn::Load(floats, end_ + ray);
+            if constexpr (!any_hit) { // something nearer may have been found
+                const Floats t = hn::Load(floats, rays_.t + ray);
+                end = (t + splat(distance_error) * t) * hn::Load(floats, unit_ + ray);
+                hn::Store(end, floats, end_ + ray);
+            }
             const Floats begin = hn::Max(max3(slab(0, false), slab(1, false), slab(2, false)), hn::Zero(floats));
             const Floats stop = hn::Min(min3(slab(0, true), slab(1, true), slab(2, true)), end);
-            uint32_t lanes = bits_of(hn::Le(begin, stop)) & selection_.lanes(ray);
-            for (; lanes != 0; lanes &= lanes - 1) to[count++] = ray + lowest_bit(lanes);
+            const uint32_t lanes = bits_of(hn::Le(begin, stop)) & selection_.lanes(ray);
+            for (uint32_t lane = 0; lane < lane_count; lane += 4) {
+                const uint32_t bits = lanes >> lane & 15;
+                hn::StoreU(chosen_first(hn::Iota(four_uints, ray + lane), bits), four_uints, to + count);
+                count += static_cast<uint32_t>(__builtin_popcount(bits));
+            }
         }
         return count;
     }
     /// Rays of one octant through all that a link leads to.
     HWY_NOINLINE void walk(ChildLink root, const uint32_t *sorted, uint32_t count) {
-        const Rows rows(octant_[sorted[0]]);
+        const WideRows rows(octant_[sorted[0]]);
         Pending stack[most_lists];
         uint32_t pending = 0;
         for (uint32_t i = 0; i < count; ++i) ids_[i] = sorted[i];
         stack[pending++] = {root.word(), 0, static_cast<uint16_t>(count), 0.0f, hits_};
         while (pending > 0) {
             Pending now = stack[--pending];
+            if (pending > 0) prefetch(question_.geometry, ChildLink(stack[pending - 1].link));
             if (now.hits != hits_) now.count = static_cast<uint16_t>(still_looking(now));
             if (now.count == 0) continue;
             const ChildLink link(now.link);
             uint32_t *const ids = ids_ + now.first;
-            if (now.count < fewest_in_stream || now.first + (1 + WideNode::width) * now.count > arena_size) {
-                for (uint32_t i = 0; i < now.count; ++i) finish(ids[i], link);
-            } else if (link.is_leaf()) {
+            if (link.is_leaf()) {
                 visit_leaf(link, ids, now.count);
+            } else if (now.count < fewest_in_stream || now.first + (1 + WideNode::width) * now.count > arena_size) {
+                for (uint32_t i = 0; i < now.count; ++i) finish(rows, ids[i], link);
             } else {
                 pending = visit_node(rows, link, now, stack, pending);
             }
@@ -166,7 +188,7 @@ private:
         return count;
     }
 
-    /// Copies those rays whose flags have the bit; returns how many.
+    /// Copies those rays whose flags have the bit; returns how many. Up to a vector behind them is written.
     static HWY_INLINE uint32_t pick(const uint32_t *flags, uint32_t bit, const uint32_t *rays, uint32_t count,
                                     uint32_t *to) {
         uint32_t picked = 0;
@@ -179,26 +201,21 @@ private:
             picked += static_cast<uint32_t>(hn::CountTrue(uints, chosen));
         }
 #else
-        // Without an instruction for it the vector library is slower than this.
-        for (uint32_t i = 0; i < count; ++i) {
-            to[picked] = rays[i];
-            picked += (flags[i] & bit) != 0 ? 1u : 0u;
+        for (uint32_t i = 0; i < count; i += lane_count) {
+            const uint32_t valid = count - i >= lane_count ? all_lanes : ~(~0u << (count - i));
+            const uint32_t chosen =
+                bits_of(uints, hn::TestBit(hn::Load(uints, flags + i), hn::Set(uints, bit))) & valid;
+            for (uint32_t lane = 0; lane < lane_count; lane += 4) {
+                const uint32_t bits = chosen >> lane & 15;
+                hn::StoreU(chosen_first(hn::LoadU(four_uints, rays + i + lane), bits), four_uints, to + picked);
+                picked += static_cast<uint32_t>(__builtin_popcount(bits));
+            }
         }
 #endif
         return picked;
     }
 
-    /// Which rows of a node's bounds are the near ones.
-    struct Rows {
-        size_t near_x, near_y, near_z;
-
-        HWY_INLINE explicit Rows(uint32_t octant)
-            : near_x(WideNode::width * (octant & 1 ? 3u : 0u)),
-              near_y(WideNode::width * (octant & 2 ? 4u : 1u)),
-              near_z(WideNode::width * (octant & 4 ? 5u : 2u)) {}
-    };
-
-    HWY_INLINE uint32_t visit_node(const Rows &rows, ChildLink link, const Pending &now, Pending *stack,
+    HWY_INLINE uint32_t visit_node(const WideRows &rows, ChildLink link, const Pending &now, Pending *stack,
                                    uint32_t pending) {
         const WideNode &node = question_.geometry.wide_nodes[link.number()];
         if (beam_ && now.count >= fewest_to_ask_beam) {
@@ -218,7 +235,6 @@ private:
         alignas(32) float begins[WideNode::width]; // the least of all rays
         NarrowFloats first_begin[WideNode::width / narrow_lanes];
         for (NarrowFloats &b : first_begin) b = narrow_splat(__builtin_inff());
-        constexpr size_t w = WideNode::width;
         for (uint32_t i = 0; i < now.count; ++i) {
             const uint32_t ray = ids[i];
             uint32_t bits = 0;
@@ -232,9 +248,9 @@ private:
                                     slab(rows.near_y, inverse_[1], near_offset_[1])),
                             hn::Max(slab(rows.near_z, inverse_[2], near_offset_[2]), hn::Zero(narrow_floats)));
                 const auto stop =
-                    hn::Min(hn::Min(slab(3 * w - rows.near_x, inverse_[0], far_offset_[0]),
-                                    slab(5 * w - rows.near_y, inverse_[1], far_offset_[1])),
-                            hn::Min(slab(7 * w - rows.near_z, inverse_[2], far_offset_[2]), narrow_splat(end_[ray])));
+                    hn::Min(hn::Min(slab(rows.far_x(), inverse_[0], far_offset_[0]),
+                                    slab(rows.far_y(), inverse_[1], far_offset_[1])),
+                            hn::Min(slab(rows.far_z(), inverse_[2], far_offset_[2]), narrow_splat(end_[ray])));
                 const auto enters = hn::Le(begin, stop);
                 NarrowFloats &least = first_begin[c / narrow_lanes];
                 least = hn::Min(least, hn::IfThenElse(enters, begin, least));
@@ -276,7 +292,19 @@ private:
         return pending;
     }
 
-    HWY_INLINE void visit_leaf(ChildLink link, const uint32_t *ids, uint32_t count) {
+    HWY_NOINLINE void visit_leaf(ChildLink link, const uint32_t *ids, uint32_t count) {
+        if (count < fewest_to_prepare_leaf) {
+            for (uint32_t i = 0; i < count; ++i) {
+                const uint32_t ray = ids[i];
+                if (any_hit && end_[ray] < 0.0f) continue;
+                float t = rays_.t[ray];
+                uint32_t id = rays_.triangle_id[ray];
+                if (hit_leaf<any_hit>(question_, link.number(), link.reference_count(), leaf_ray(ray), t, id)) {
+                    take(ray, t, id);
+                }
+            }
+            return;
+        }
         const uint32_t references = link.reference_count();
         const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{link.number()};
         for (uint32_t first = 0; first < references; first += narrow_lanes) {
@@ -284,7 +312,7 @@ private:
                 LeafFromPoint leaf(words, references, first, rays_.shared_origin, dir_reach_);
                 hit(leaf, ids, count);
             } else {
-                LeafFromAnywhere<true> leaf(words, references, first, dir_reach_, reach_);
+                LeafFromAnywhere leaf(words, references, first, dir_reach_, reach_);
                 hit(leaf, ids, count);
             }
         }
@@ -304,6 +332,18 @@ private:
         }
     }
 
+    HWY_INLINE LeafRay leaf_ray(uint32_t ray) const {
+        const Point3 org =
+            shares_origin ? rays_.shared_origin : Point3{rays_.org_x[ray], rays_.org_y[ray], rays_.org_z[ray]};
+        return {org,
+                {rays_.dir_x[ray], rays_.dir_y[ray], rays_.dir_z[ray]},
+                rays_.left[ray],
+                LeafRay::error * reach_,
+                most_along_[ray],
+                slope_x_[ray],
+                slope_y_[ray]};
+    }
+
     HWY_INLINE void take(uint32_t ray, float t, uint32_t id) {
         ++hits_;
         if constexpr (any_hit) {
@@ -317,20 +357,14 @@ private:
     }
 
     /// One ray through all that a link leads to.
-    HWY_INLINE void finish(uint32_t ray, ChildLink link) {
+    HWY_NOINLINE void finish(const WideRows &rows, uint32_t ray, ChildLink link) {
         if (any_hit && end_[ray] < 0.0f) return;
-        const Point3 org =
-            shares_origin ? rays_.shared_origin : Point3{rays_.org_x[ray], rays_.org_y[ray], rays_.org_z[ray]};
-        const Point3 dir = {rays_.dir_x[ray], rays_.dir_y[ray], rays_.dir_z[ray]};
         const WideSlabs slabs({inverse_[0][ray], inverse_[1][ray], inverse_[2][ray]},
                               {near_offset_[0][ray], near_offset_[1][ray], near_offset_[2][ray]},
                               {far_offset_[0][ray], far_offset_[1][ray], far_offset_[2][ray]});
         float t = rays_.t[ray];
         uint32_t id = rays_.triangle_id[ray];
-        if (walk_wide<any_hit>(question_, slabs, link, unit_[ray], org, dir, dir_reach_, reach_, rays_.left[ray], t,
-                               id)) {
-            take(ray, t, id);
-        }
+        if (walk_wide<any_hit>(question_, slabs, rows, link, unit_[ray], leaf_ray(ray), t, id)) take(ray, t, id);
     }
 
     const TraceQuestion &question_;
@@ -344,8 +378,10 @@ private:
     alignas(64) float far_offset_[3][group_size];
     alignas(64) float end_[group_size];  ///< how far a ray looks, in its unit; -1 where it is done
     alignas(64) float unit_[group_size]; ///< of distances through boxes
-    alignas(64) float ray_dir_reach_[group_size];
     alignas(64) uint32_t octant_[group_size];
+    alignas(64) float ray_dir_reach_[group_size];
+    alignas(64) uint32_t most_along_[group_size];                 ///< LeafRay::z
+    alignas(64) float slope_x_[group_size], slope_y_[group_size]; ///< of LeafRay
     alignas(64) uint32_t ids_[arena_size + 32];
 };
 

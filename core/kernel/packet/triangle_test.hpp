@@ -33,8 +33,10 @@ struct TriangleSetup {
     uint32_t id;
 
     HWY_INLINE TriangleSetup(const uint32_t *leaf_words, uint32_t count, uint32_t i) {
-        for (uint32_t row = 0; row < 9; ++row) __builtin_memcpy(&corners[row], &leaf_words[row * count + i], 4);
-        id = leaf_words[9 * count + i];
+        // Pointers rather than places: gcc 12 makes vectors of places, and takes them out one by one.
+        const uint32_t *word = leaf_words + i;
+        for (uint32_t row = 0; row < 9; ++row, word += count) __builtin_memcpy(&corners[row], word, 4);
+        id = *word;
         e1 = {corners[3] - corners[0], corners[4] - corners[1], corners[5] - corners[2]};
         e2 = {corners[6] - corners[0], corners[7] - corners[1], corners[8] - corners[2]};
         edge_reach = larger(max_abs(e1), max_abs(e2));
@@ -111,13 +113,14 @@ public:
     }
 
     [[nodiscard]] HWY_INLINE FilterResult filter(const Points &dir) const {
-        return judge(dot(n_, dir), dot(u_, dir), dot(v_, dir), margin_);
+        return judge(dot(n_, dir), fused_dot(u_, dir), fused_dot(v_, dir), margin_);
     }
 
     /// What the filter would say of every ray between some directions, one a lane: the numerators are linear in the
     /// direction, so their signs at the corners tell. `corner_reach` is the largest coordinate of a corner.
     [[nodiscard]] HWY_INLINE BeamVerdict judge_beam(const Points &corners, float corner_reach) const {
-        const Floats det = dot(n_, corners), u = dot(u_, corners), v = dot(v_, corners), w = (det - u) - v;
+        const Floats det = fused_dot(n_, corners), u = fused_dot(u_, corners), v = fused_dot(v_, corners);
+        const Floats w = (det - u) - v;
         // Four times the margin: a ray's direction is rounded, so it may lie a few eps outside the corners.
         const Floats margin = margin_ * splat(4.0f * corner_reach / dir_reach_) + splat(least_margin);
         const Floats minus_margin = hn::Neg(margin);
@@ -184,9 +187,10 @@ public:
 
     [[nodiscard]] HWY_INLINE FilterResult filter(const Points &org, const Points &dir) const {
         const Points s = {org.x - a_.x, org.y - a_.y, org.z - a_.z};
-        const Points q = {dir.y * s.z - dir.z * s.y, dir.z * s.x - dir.x * s.z, dir.x * s.y - dir.y * s.x};
-        const Floats margin = margin_ + margin_per_q_ * sum_abs(q);
-        return judge(dot(n_, dir), dot(e2_, q), hn::Neg(dot(e1_, q)), margin);
+        const Points q = {hn::MulSub(dir.y, s.z, dir.z * s.y), hn::MulSub(dir.z, s.x, dir.x * s.z),
+                          hn::MulSub(dir.x, s.y, dir.y * s.x)};
+        const Floats margin = hn::MulAdd(margin_per_q_, sum_abs(q), margin_);
+        return judge(fused_dot(n_, dir), fused_dot(e2_, q), hn::Neg(fused_dot(e1_, q)), margin);
     }
 
 private:

@@ -4,20 +4,33 @@
 #include "accel/bvh/wide_bvh.hpp"
 #include "kernel/packet/beam.hpp"
 #include "kernel/packet/lanes.hpp"
+#include "kernel/traverse.hpp"
 
 namespace glint::HWY_NAMESPACE {
+
+/// Asks for what a link leads to, before it is visited.
+HWY_INLINE void prefetch(const GeometryView &geometry, ChildLink link) {
+    const char *at =
+        link.is_leaf()
+            ? reinterpret_cast<const char *>(geometry.leaf_words + words_per_reference * size_t{link.number()})
+            : reinterpret_cast<const char *>(geometry.wide_nodes + link.number());
+    for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
+}
 
 /// Children that wait for their turn, the nearest on top.
 class WaitingChildren {
 public:
     /// Of the children whose bits are set (one at least), which begin there, the nearest is returned; the others wait.
-    template <bool in_order>
-    HWY_INLINE ChildLink nearest_of(const WideNode &node, const float *begins, uint32_t entered) {
-        uint64_t nearest = entry(node, begins, lowest_bit(entered));
+    template <bool in_order> HWY_INLINE ChildLink nearest_of(const GeometryView &geometry, const WideNode &node,
+                                                             const float *begins, uint32_t entered) {
+        const uint32_t first = lowest_bit(entered);
+        if ((entered &= entered - 1) == 0) return ChildLink(node.child[first]);
+        uint64_t nearest = entry(node, begins, first);
         uint64_t *const bottom = top_;
-        while ((entered &= entered - 1) != 0) {
+        for (; entered != 0; entered &= entered - 1) {
             const uint64_t other = entry(node, begins, lowest_bit(entered)), farther = larger(nearest, other);
             nearest = smaller(nearest, other);
+            prefetch(geometry, ChildLink(static_cast<uint32_t>(farther)));
             uint64_t *place = top_++;
             if constexpr (in_order) {
                 for (; place != bottom && place[-1] < farther; --place) *place = place[-1];
