@@ -49,6 +49,11 @@ HWY_INLINE NarrowFloats abs_max(NarrowFloats x, NarrowFloats y, NarrowFloats z) 
     return hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
 }
 
+/// Distances at which something may be nearer than what was found so far.
+HWY_INLINE uint32_t in_reach(NarrowFloats t, float best_t) {
+    return bits_of(narrow_floats, hn::And(hn::Gt(t, hn::Zero(narrow_floats)), hn::Le(t, narrow_splat(best_t))));
+}
+
 /// For rays that start anywhere: see TriangleFromAnywhere.
 class LeafFromAnywhere : public LeafLanes {
 public:
@@ -84,14 +89,17 @@ public:
         const auto det = fused_dot(nx_, ny_, nz_, dx, dy, dz), u = fused_dot(e2x_, e2y_, e2z_, qx, qy, qz),
                    minus_v = fused_dot(e1x_, e1y_, e1z_, qx, qy, qz);
         const LeafVerdict verdict(u, hn::Neg(minus_v), (det - u) + minus_v, margin);
-        const uint32_t possible = valid() & ~verdict.outside() & ~passes;
+        uint32_t possible = valid() & ~verdict.outside() & ~passes;
         if (possible == 0) return false;
         if (!has_planes_) make_planes();
         const auto slope = (plane_[0] * dx + plane_[1] * dy) + plane_[2] * dz;
         const uint32_t grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(slope), grazing_ * narrow_splat(dir_reach)));
+        const auto distances = both_halves(lower_.offset(org), upper_.offset(org)) / slope;
+        const uint32_t certain = verdict.certain();
+        possible &= in_reach(distances, best_t) | ~certain | grazing;
         alignas(32) float t[narrow_lanes];
-        hn::Store(both_halves(lower_.offset(org), upper_.offset(org)) / slope, narrow_floats, t);
-        return settle<any_hit>(possible, verdict.certain(), org, dir, left, best_t, best_id, [&](uint32_t lane) {
+        hn::Store(distances, narrow_floats, t);
+        return settle<any_hit>(possible, certain, org, dir, left, best_t, best_id, [&](uint32_t lane) {
             return (grazing >> lane & 1) != 0 ? distance(lane, org, dir) : t[lane];
         });
     }
@@ -140,12 +148,15 @@ public:
         const auto det = (n_[0] * dx + n_[1] * dy) + n_[2] * dz;
         const auto u = fused_dot(u_[0], u_[1], u_[2], dx, dy, dz), v = fused_dot(v_[0], v_[1], v_[2], dx, dy, dz);
         const LeafVerdict verdict(u, v, (det - u) - v, margin_);
-        const uint32_t possible = valid() & ~verdict.outside() & ~passes;
+        uint32_t possible = valid() & ~verdict.outside() & ~passes;
         if (possible == 0) return false;
         const uint32_t grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(det), grazing_ * narrow_splat(dir_reach)));
+        const auto distances = offset_ / det;
+        const uint32_t certain = verdict.certain();
+        possible &= in_reach(distances, best_t) | ~certain | grazing;
         alignas(32) float t[narrow_lanes];
-        hn::Store(offset_ / det, narrow_floats, t);
-        return settle<any_hit>(possible, verdict.certain(), org_, dir, left, best_t, best_id, [&](uint32_t lane) {
+        hn::Store(distances, narrow_floats, t);
+        return settle<any_hit>(possible, certain, org_, dir, left, best_t, best_id, [&](uint32_t lane) {
             return (grazing >> lane & 1) != 0 ? distance(lane, org_, dir) : t[lane];
         });
     }
