@@ -117,7 +117,7 @@ private:
 
     NarrowFloats ax_, ay_, az_, e1x_, e1y_, e1z_, e2x_, e2y_, e2z_, nx_, ny_, nz_, margin_, margin_per_q_;
     bool has_planes_ = false; ///< what follows is made when a ray may hit
-    LeafPlanes lower_, upper_;
+    LeafPlanes lower_{}, upper_{};
     NarrowFloats plane_[3] = {hn::Zero(narrow_floats), hn::Zero(narrow_floats), hn::Zero(narrow_floats)};
     NarrowFloats grazing_ = hn::Zero(narrow_floats);
 };
