@@ -14,6 +14,7 @@ namespace glint {
 
 /// Up to eight children, their boxes coordinate by coordinate: one vector instruction deals with all of them (Wald,
 /// Benthin & Boulos 2008, "Getting rid of packets"). Places without a child hold an empty box: lowest above highest.
+/// Its size makes it four cache lines and not five, which may be asked for ahead.
 struct alignas(64) WideNode {
     static constexpr uint32_t width = 8;
 
@@ -22,7 +23,7 @@ struct alignas(64) WideNode {
 
     static constexpr uint32_t lowest = 0, highest = 3;
 };
-static_assert(sizeof(WideNode) == 256); // found by a shift
+static_assert(sizeof(WideNode) == 256);
 
 /// Where a child is found: a node of this number or, with a count, a leaf whose first reference has this number.
 class ChildLink {
