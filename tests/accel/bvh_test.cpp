@@ -53,7 +53,8 @@ TEST(Bvh, does_not_depend_on_the_number_of_threads) {
     for (const unsigned threads : {2u, 8u}) {
         const WideBvh many = build_wide_bvh(triangles, threads);
         ASSERT_EQ(many.nodes.size(), one.nodes.size());
-        for (size_t i = 0; i < one.nodes.size(); ++i) { // piece by piece: what fills a node's cache lines up says nothing
+        for (size_t i = 0; i < one.nodes.size();
+             ++i) { // piece by piece: what fills a node's cache lines up says nothing
             const WideNode &a = many.nodes[i], &b = one.nodes[i];
             ASSERT_EQ(std::memcmp(a.bounds, b.bounds, sizeof a.bounds), 0) << "node " << i;
             ASSERT_EQ(std::memcmp(a.child, b.child, sizeof a.child), 0) << "node " << i;
