@@ -54,11 +54,32 @@ HWY_INLINE uint32_t in_reach(NarrowFloats t, float best_t) {
     return bits_of(narrow_floats, hn::And(hn::Gt(t, hn::Zero(narrow_floats)), hn::Le(t, narrow_splat(best_t))));
 }
 
+/// What both kinds below share.
+class LeafList : public LeafLanes {
+public:
+    using LeafLanes::LeafLanes;
+
+    uint32_t passes = 0; ///< lanes that do not block
+
+protected:
+    /// As settle(), where the distances of all certain lanes are known but for the grazing ones.
+    template <bool any_hit> HWY_INLINE bool settle_at(NarrowFloats distances, uint32_t grazing, uint32_t possible,
+                                                      uint32_t certain, const Point3 &org, const Point3 &dir,
+                                                      uint32_t left, float &best_t, uint32_t &best_id) const {
+        possible &= in_reach(distances, best_t) | ~certain | grazing;
+        alignas(32) float t[narrow_lanes];
+        hn::Store(distances, narrow_floats, t);
+        return settle<any_hit>(possible, certain, org, dir, left, best_t, best_id, [&](uint32_t lane) {
+            return (grazing >> lane & 1) != 0 ? distance(lane, org, dir) : t[lane];
+        });
+    }
+};
+
 /// For rays that start anywhere: see TriangleFromAnywhere.
-class LeafFromAnywhere : public LeafLanes {
+class LeafFromAnywhere : public LeafList {
 public:
     HWY_INLINE LeafFromAnywhere(const uint32_t *words, uint32_t count, uint32_t first, float dir_reach, float reach)
-        : LeafLanes(words, count, first),
+        : LeafList(words, count, first),
           ax_(row(0)),
           ay_(row(1)),
           az_(row(2)),
@@ -89,22 +110,14 @@ public:
         const auto det = fused_dot(nx_, ny_, nz_, dx, dy, dz), u = fused_dot(e2x_, e2y_, e2z_, qx, qy, qz),
                    minus_v = fused_dot(e1x_, e1y_, e1z_, qx, qy, qz);
         const LeafVerdict verdict(u, hn::Neg(minus_v), (det - u) + minus_v, margin);
-        uint32_t possible = valid() & ~verdict.outside() & ~passes;
+        const uint32_t possible = valid() & ~verdict.outside() & ~passes;
         if (possible == 0) return false;
         if (!has_planes_) make_planes();
         const auto slope = (plane_[0] * dx + plane_[1] * dy) + plane_[2] * dz;
         const uint32_t grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(slope), grazing_ * narrow_splat(dir_reach)));
         const auto distances = both_halves(lower_.offset(org), upper_.offset(org)) / slope;
-        const uint32_t certain = verdict.certain();
-        possible &= in_reach(distances, best_t) | ~certain | grazing;
-        alignas(32) float t[narrow_lanes];
-        hn::Store(distances, narrow_floats, t);
-        return settle<any_hit>(possible, certain, org, dir, left, best_t, best_id, [&](uint32_t lane) {
-            return (grazing >> lane & 1) != 0 ? distance(lane, org, dir) : t[lane];
-        });
+        return settle_at<any_hit>(distances, grazing, possible, verdict.certain(), org, dir, left, best_t, best_id);
     }
-
-    uint32_t passes = 0; ///< lanes that do not block
 
 private:
     HWY_INLINE void make_planes() {
@@ -123,10 +136,10 @@ private:
 };
 
 /// For rays from one point: see TriangleFromPoint.
-class LeafFromPoint : public LeafLanes {
+class LeafFromPoint : public LeafList {
 public:
     HWY_INLINE LeafFromPoint(const uint32_t *words, uint32_t count, uint32_t first, const Point3 &org, float dir_reach)
-        : LeafLanes(words, count, first), org_(org) {
+        : LeafList(words, count, first), org_(org) {
         const Half lower(*this, org, false), upper(*this, org, true);
         for (int i = 0; i < 3; ++i) {
             u_[i] = both_halves(lower.u[i], upper.u[i]);
@@ -148,20 +161,12 @@ public:
         const auto det = (n_[0] * dx + n_[1] * dy) + n_[2] * dz;
         const auto u = fused_dot(u_[0], u_[1], u_[2], dx, dy, dz), v = fused_dot(v_[0], v_[1], v_[2], dx, dy, dz);
         const LeafVerdict verdict(u, v, (det - u) - v, margin_);
-        uint32_t possible = valid() & ~verdict.outside() & ~passes;
+        const uint32_t possible = valid() & ~verdict.outside() & ~passes;
         if (possible == 0) return false;
         const uint32_t grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(det), grazing_ * narrow_splat(dir_reach)));
         const auto distances = offset_ / det;
-        const uint32_t certain = verdict.certain();
-        possible &= in_reach(distances, best_t) | ~certain | grazing;
-        alignas(32) float t[narrow_lanes];
-        hn::Store(distances, narrow_floats, t);
-        return settle<any_hit>(possible, certain, org_, dir, left, best_t, best_id, [&](uint32_t lane) {
-            return (grazing >> lane & 1) != 0 ? distance(lane, org_, dir) : t[lane];
-        });
+        return settle_at<any_hit>(distances, grazing, possible, verdict.certain(), org_, dir, left, best_t, best_id);
     }
-
-    uint32_t passes = 0; ///< lanes that do not block
 
     /// What has been worked out, to be read lane by lane.
     struct Rows {

@@ -80,13 +80,13 @@ public:
             hn::Store(unit, floats, unit_ + ray);
             hn::Store(octant, uints, octant_ + ray);
             hn::Store(largest, floats, ray_dir_reach_ + ray);
-            // As leaf_ray() has it.
+            // As leaf_ray() has it. Not by the inverse, which is not exact where a direction is very long.
             const Floats along[3] = {hn::Abs(dir.x), hn::Abs(dir.y), hn::Abs(dir.z)};
             const FloatMask by_x = hn::And(hn::Ge(along[0], along[1]), hn::Ge(along[0], along[2]));
             const FloatMask by_y = hn::Ge(along[1], along[2]);
-            const Floats one = splat(1.0f) / hn::IfThenElse(by_x, dir.x, hn::IfThenElse(by_y, dir.y, dir.z));
-            hn::Store(hn::IfThenElse(by_x, dir.y, dir.x) * one, floats, slope_x_ + ray);
-            hn::Store(hn::IfThenElse(hn::Or(by_x, by_y), dir.z, dir.y) * one, floats, slope_y_ + ray);
+            const Floats most = hn::IfThenElse(by_x, dir.x, hn::IfThenElse(by_y, dir.y, dir.z));
+            hn::Store(hn::IfThenElse(by_x, dir.y, dir.x) / most, floats, slope_x_ + ray);
+            hn::Store(hn::IfThenElse(hn::Or(by_x, by_y), dir.z, dir.y) / most, floats, slope_y_ + ray);
             hn::Store(
                 hn::IfThenZeroElse(hn::RebindMask(uints, by_x),
                                    hn::IfThenElse(hn::RebindMask(uints, by_y), hn::Set(uints, 1), hn::Set(uints, 2))),
