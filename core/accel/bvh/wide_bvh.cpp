@@ -1,10 +1,13 @@
-// Draws the binary hierarchy together into the wide one.
+// Writes the wide hierarchy out of the binary one.
 #include "accel/bvh/wide_bvh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "accel/bvh/binary_bvh.hpp"
+#include "accel/bvh/collapse.hpp"
+#include "accel/bvh/reinsertion.hpp"
 #include "threads/parallel_for.hpp"
 
 namespace glint {
@@ -12,47 +15,28 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-class Collapse {
+class NodeWriter {
 public:
-    Collapse(const BinaryBvh &binary, WideBvh &wide) : binary_(binary), wide_(wide) {}
+    NodeWriter(const BinaryBvh &binary, WideBvh &wide) : binary_(binary), collapse_(binary), wide_(wide) {}
 
-    /// Makes the wide node that stands for a binary one; returns its number.
-    uint32_t make_node(uint32_t root) {
-        uint32_t children[WideNode::width];
-        const uint32_t count = choose_children(root, children);
+    /// Writes the wide node that stands for a binary one, and all below; returns its number.
+    uint32_t write_node(uint32_t root) {
+        std::array<uint32_t, WideNode::width> children;
+        const uint32_t count = collapse_.children_of(root, children);
         const auto number = static_cast<uint32_t>(wide_.nodes.size());
         wide_.nodes.emplace_back();
         set_boxes(wide_.nodes.back(), children, count);
         for (uint32_t i = 0; i < count; ++i) {
             const BinaryNode &child = binary_.nodes[children[i]];
             const uint32_t link = child.is_leaf() ? ChildLink::leaf(child.first, child.count).word()
-                                                  : ChildLink::node(make_node(children[i])).word();
+                                                  : ChildLink::node(write_node(children[i])).word();
             wide_.nodes[number].child[i] = link;
         }
         return number;
     }
 
 private:
-    /// Opens the largest node again and again, until there are eight or all are leaves.
-    uint32_t choose_children(uint32_t root, uint32_t (&children)[WideNode::width]) const {
-        children[0] = root;
-        uint32_t count = 1;
-        while (count < WideNode::width) {
-            uint32_t largest = count;
-            float area = -1.0f;
-            for (uint32_t i = 0; i < count; ++i) {
-                const BinaryNode &node = binary_.nodes[children[i]];
-                if (!node.is_leaf() && node.half_area() > area) area = node.half_area(), largest = i;
-            }
-            if (largest == count) break;
-            const uint32_t first = binary_.nodes[children[largest]].first;
-            children[largest] = first;
-            children[count++] = first + 1;
-        }
-        return count;
-    }
-
-    void set_boxes(WideNode &node, const uint32_t *children, uint32_t count) const {
+    void set_boxes(WideNode &node, const std::array<uint32_t, WideNode::width> &children, uint32_t count) const {
         for (uint32_t i = 0; i < WideNode::width; ++i) {
             for (int axis = 0; axis < 3; ++axis) {
                 const bool exists = i < count;
@@ -64,6 +48,7 @@ private:
     }
 
     const BinaryBvh &binary_;
+    const Collapse collapse_;
     WideBvh &wide_;
 };
 
@@ -88,12 +73,13 @@ void write_leaves(const BinaryBvh &binary, std::span<const TriangleCorners> tria
 
 WideBvh build_wide_bvh(std::span<const TriangleCorners> triangles, const Crew &crew) {
     WideBvh wide;
-    const BinaryBvh binary = build_binary_bvh(triangles, crew);
+    BinaryBvh binary = build_binary_bvh(triangles, crew);
+    reinsert_large_nodes(binary);
     const BinaryNode &root = binary.nodes[0];
     wide.bounds.lo = {root.lo[0], root.lo[1], root.lo[2]};
     wide.bounds.hi = {root.hi[0], root.hi[1], root.hi[2]};
     wide.nodes.reserve(triangles.size() / 16 + 16);
-    Collapse(binary, wide).make_node(0);
+    NodeWriter(binary, wide).write_node(0);
     wide.nodes.shrink_to_fit();
     write_leaves(binary, triangles, crew, wide);
     return wide;

@@ -60,8 +60,9 @@ inline constexpr uint32_t max_bvh_triangles = ChildLink::max_number;
 /// Nodes lie at most this deep, so that a traversal's stack has a fixed size.
 inline constexpr uint32_t max_bvh_depth = 64;
 
-/// Builds the hierarchy over triangles that all have an area; a binary one first (binary_bvh.hpp), of which nodes are
-/// drawn together until they have eight children. The result does not depend on the number of threads.
+/// Builds the hierarchy over triangles that all have an area; a binary one first (binary_bvh.hpp), which
+/// is made better (reinsertion.hpp) and drawn together (collapse.hpp). The result does not depend on the number of
+/// threads.
 [[nodiscard]] WideBvh build_wide_bvh(std::span<const TriangleCorners> triangles, const Crew &crew);
 
 } // namespace glint
