@@ -9,7 +9,7 @@
 namespace glint::HWY_NAMESPACE {
 
 /// Fewer rays than this are not worth a list. Measured: see docs/performance.md.
-inline constexpr uint32_t fewest_in_stream = 3;
+inline constexpr uint32_t fewest_in_stream = 5;
 /// Fewer rays than this ask a node's children at once, not the beam around all rays first.
 inline constexpr uint32_t fewest_to_ask_beam = 16;
 /// Fewer rays than this are not worth working out what a leaf's triangles have for all rays.

@@ -14,7 +14,8 @@ HWY_INLINE void prefetch(const GeometryView &geometry, ChildLink link) {
         link.is_leaf()
             ? reinterpret_cast<const char *>(geometry.leaf_words + words_per_reference * size_t{link.number()})
             : reinterpret_cast<const char *>(geometry.wide_nodes + link.number());
-    for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
+    const int lines = link.is_leaf() ? 6 : 4; // as many as a leaf of eight triangles has, and a node
+    for (int line = 0; line < lines; ++line) __builtin_prefetch(at + 64 * line);
 }
 
 /// Children that wait for their turn, the nearest on top.
@@ -24,13 +25,15 @@ public:
     template <bool in_order> HWY_INLINE ChildLink nearest_of(const GeometryView &geometry, const WideNode &node,
                                                              const float *begins, uint32_t entered) {
         const uint32_t first = lowest_bit(entered);
+        prefetch(geometry, ChildLink(node.child[first]));
         if ((entered &= entered - 1) == 0) return ChildLink(node.child[first]);
         uint64_t nearest = entry(node, begins, first);
         uint64_t *const bottom = top_;
         for (; entered != 0; entered &= entered - 1) {
-            const uint64_t other = entry(node, begins, lowest_bit(entered)), farther = larger(nearest, other);
+            const uint32_t i = lowest_bit(entered);
+            prefetch(geometry, ChildLink(node.child[i]));
+            const uint64_t other = entry(node, begins, i), farther = larger(nearest, other);
             nearest = smaller(nearest, other);
-            prefetch(geometry, ChildLink(static_cast<uint32_t>(farther)));
             uint64_t *place = top_++;
             if constexpr (in_order) {
                 for (; place != bottom && place[-1] < farther; --place) *place = place[-1];
