@@ -93,6 +93,7 @@ private:
 
     /// Goes on with the rays themselves.
     HWY_INLINE void trace_rays(const Pending &now, uint32_t blocks) {
+        prefetch(question_.geometry, ChildLink(now.link));
         const WideNode &node = question_.geometry.wide_nodes[now.box / WideNode::width];
         uint32_t rays[group_size + 4], count = 0;
         for (uint32_t rest = blocks; rest != 0; rest &= rest - 1) {

@@ -273,6 +273,7 @@ private:
             for (; place > 0 && begins[order[place - 1]] < begins[c]; --place) order[place] = order[place - 1];
             order[place] = c;
         }
+        prefetch(question_.geometry, ChildLink(node.child[order[used - 1]])); // is next
         // The last list takes the place of the one that was read.
         uint32_t first = now.first + uint32_t{now.count};
         for (uint32_t u = 0; u < used; ++u) {
