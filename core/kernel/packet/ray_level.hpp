@@ -20,7 +20,8 @@ struct RayLevel {
 /// Surfaces whose mirror rays are traced apart; what is left after so many goes together.
 inline constexpr int most_surfaces_apart = 6;
 
-/// The closest hits of all rays of a level. Rays that leave one surface go one way more often than others do.
+/// The closest hits of all rays of a level. Rays that leave one surface go one way more often than others do, and make
+/// better beams.
 HWY_INLINE void trace_level(const GeometryView &geometry, RayLevel &level, BeamHistories &beams) {
     const TraceQuestion question{geometry};
     if (level.depth == 0) {
@@ -28,11 +29,12 @@ HWY_INLINE void trace_level(const GeometryView &geometry, RayLevel &level, BeamH
                            {.is_full_tile = level.is_even && level.selection.count() == group_size});
         return;
     }
+    const int most_apart = geometry.wide_nodes ? 0 : most_surfaces_apart; // streams are the better the longer
     RaySelection waiting = level.selection;
     for (int apart = 0; !waiting.empty(); ++apart) {
         RaySelection together{};
         const Uints surface = hn::Set(uints, level.left_surface[first_ray_of(waiting)]);
-        if (apart < most_surfaces_apart) {
+        if (apart < most_apart) {
             for_each_vector(waiting, [&](uint32_t ray, uint32_t lanes) {
                 const FloatMask same =
                     hn::RebindMask(floats, hn::Eq(hn::Load(uints, level.left_surface + ray), surface));
