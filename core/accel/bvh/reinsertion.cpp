@@ -164,7 +164,8 @@ private:
         }
     }
 
-    /// A place to look at, and what is gained below that does not depend on it.
+    /// A node to look at, and the area that is gained by hanging the subtree beside it or below, but for what the new
+    /// parent has.
     struct Place {
         float gain;
         uint32_t node;
