@@ -1,4 +1,6 @@
 // Every kernel's rays end where the scalar kernel's do, through the tree and by brute force.
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -59,6 +61,42 @@ Mesh sheets(std::initializer_list<float> depths, float rise) {
         for (const Triangle &t : sheet.triangles) mesh.triangles.push_back({t.a + base, t.b + base, t.c + base});
     }
     return mesh;
+}
+
+// A direction's length is a matter of units: a power of two more makes distances exactly as much less.
+TEST(Batches, may_have_directions_of_any_length) {
+    const auto scene = scene_of(torus(40, 20));
+    RayRows rows;
+    Random random(7);
+    for (int i = 0; i < 2000; ++i) {
+        const Point from = random.direction() * 5.0f;
+        rows.add({from, normalize(random.direction() * 1.2f - from) * random.uniform(0.3f, 1.0f)}, FLT_MAX);
+    }
+    for (const AccelKind kind : {AccelKind::kdtree, AccelKind::bvh, AccelKind::brute}) {
+        const auto accel = Accel::build(scene, {kind, 1});
+        for (const Isa isa : available_isas()) {
+            const RayQuery query(accel, isa);
+            std::vector<float> t(rows.count()), scaled_t(rows.count());
+            std::vector<uint32_t> triangle(rows.count(), no_triangle), scaled_triangle(rows.count(), no_triangle);
+            query.closest_hits(rows.batch(), {t.data(), triangle.data()});
+            EXPECT_GT(std::count(triangle.begin(), triangle.end(), no_triangle), 100);
+            EXPECT_LT(std::count(triangle.begin(), triangle.end(), no_triangle), 1900);
+            for (const int power : {-100, -50, 50, 100, 120, 126}) {
+                RayRows scaled = rows;
+                for (auto *row : {&scaled.dir_x, &scaled.dir_y, &scaled.dir_z}) {
+                    for (float &coordinate : *row) coordinate = std::ldexp(coordinate, power);
+                }
+                query.closest_hits(scaled.batch(), {scaled_t.data(), scaled_triangle.data()});
+                EXPECT_EQ(scaled_triangle, triangle)
+                    << isa_name(isa) << ", " << accel_kind_name(kind) << ", times 2^" << power;
+                for (size_t i = 0; i < rows.count(); ++i) {
+                    if (triangle[i] == no_triangle) continue;
+                    ASSERT_EQ(scaled_t[i], std::ldexp(t[i], -power)) << "ray " << i << ", " << isa_name(isa) << ", "
+                                                                     << accel_kind_name(kind) << ", times 2^" << power;
+                }
+            }
+        }
+    }
 }
 
 // The way of most rays of a group may end before the first ray's origin, from which the group's depths are counted.
