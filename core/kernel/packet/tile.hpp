@@ -131,11 +131,10 @@ HWY_NOINLINE void set_eye_media(const KernelFrame &frame, RayLevel &level) {
 HWY_INLINE Uints resolve_channels(Floats c) {
     const FloatMask positive = hn::Gt(c, hn::Zero(floats));
     const Floats clamped = hn::IfThenElseZero(positive, hn::Min(c, splat(1.0f)));
-    const Floats scaled_up = splat(255.0f) * clamped;
-    // The nearest number, the even one of two; then the upper one of two.
-    const Floats shifted = scaled_up + splat(0x1p23f);
-    const FloatMask was_half = hn::Eq(scaled_up - (shifted - splat(0x1p23f)), splat(0.5f));
-    return hn::BitCast(uints, shifted + hn::IfThenElseZero(was_half, splat(1.0f)));
+    // The float below a half is what may be added: a half itself would round the number just below it up (true of every
+    // float from 0 to 255).
+    const Floats rounded = hn::Floor(splat(255.0f) * clamped + splat(0x1.fffffep-2f));
+    return hn::BitCast(uints, rounded + splat(0x1p23f));
 }
 
 /// displayed() of image/tone_curve.hpp for every lane.
