@@ -17,6 +17,9 @@ public:
         one_order_ = have_one_sign(batch.dir_x + first) && have_one_sign(batch.dir_y + first) &&
                      have_one_sign(batch.dir_z + first);
         if (!one_order_) sort_by_signs();
+        for (uint32_t i = 0; i < group_size; i += lane_count) {
+            hn::Store(hn::Set(uints, no_triangle), uints, rays_.left + i);
+        }
     }
 
     template <typename Trace> HWY_INLINE void for_each_group(Trace &&trace) {
@@ -45,7 +48,15 @@ public:
         }
     }
     HWY_INLINE void take(uint8_t *occluded) const {
-        for (uint32_t i = 0; i < group_count_; ++i) {
+        uint32_t i = 0;
+        for (; one_order_ && i + 8 <= group_count_; i += 8) {
+            // Eight bits become eight bytes: each bit in a byte of its own, made the byte's highest, then its lowest.
+            const uint64_t hit = ~(uint32_t{selection_.blocks[i / block_size]} >> (i % block_size)) & 255;
+            const uint64_t spread = hit * 0x0101010101010101u & 0x8040201008040201u;
+            const uint64_t bytes = (spread + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
+            __builtin_memcpy(occluded + ray(i), &bytes, sizeof(bytes));
+        }
+        for (; i < group_count_; ++i) {
             occluded[ray(i)] = (selection_.blocks[i / block_size] >> (i % block_size) & 1) != 0 ? 0 : 1;
         }
     }
@@ -112,16 +123,17 @@ private:
         }
         rays_.shared_origin = {rays_.org_x[0], rays_.org_y[0], rays_.org_z[0]};
         const Points org = splat(rays_.shared_origin);
-        uint32_t other_origins = 0;
-        selection_.clear();
+        FloatMask differs = hn::Ne(org.x, org.x);
         for (uint32_t i = 0; i < group_count_; i += lane_count) {
             const Points o = rays_.org(i);
-            other_origins |= bits_of(hn::Or(hn::Or(hn::Ne(o.x, org.x), hn::Ne(o.y, org.y)), hn::Ne(o.z, org.z)));
+            differs = hn::Or(differs, hn::Or(hn::Or(hn::Ne(o.x, org.x), hn::Ne(o.y, org.y)), hn::Ne(o.z, org.z)));
             hn::Store(hn::Set(uints, no_triangle), uints, rays_.triangle_id + i);
-            hn::Store(hn::Set(uints, no_triangle), uints, rays_.left + i);
-            selection_.add(i, group_count_ - i >= lane_count ? all_lanes : (1u << (group_count_ - i)) - 1);
         }
-        shares_origin_ = other_origins == 0;
+        shares_origin_ = bits_of(differs) == 0;
+        for (uint32_t b = 0; b < block_count; ++b) {
+            const uint32_t first = b * block_size, rest = group_count_ > first ? group_count_ - first : 0;
+            selection_.blocks[b] = static_cast<uint16_t>(rest >= block_size ? 0xffffu : (1u << rest) - 1);
+        }
     }
 
     const RayBatch &batch_;

@@ -95,7 +95,7 @@ private:
     HWY_INLINE void trace_rays(const Pending &now, uint32_t blocks) {
         prefetch(question_.geometry, ChildLink(now.link));
         const WideNode &node = question_.geometry.wide_nodes[now.box / WideNode::width];
-        uint32_t rays[group_size + 4], count = 0;
+        uint32_t rays[group_size + lane_count], count = 0;
         for (uint32_t rest = blocks; rest != 0; rest &= rest - 1) {
             count += streams_.enter(lowest_bit(rest), node, now.box % WideNode::width, rays + count);
         }

@@ -93,7 +93,6 @@ private:
     HWY_INLINE void prepare(uint32_t bits) {
         const Box &box = question_.geometry.bounds;
         const uint32_t first = first_ray_ + lowest_bit(bits);
-        reach_ = 0.0f;
         for (uint32_t part = 0; part < block_size; part += lane_count) {
             const Points dir = rays_.dir(first_ray_ + part);
             const Points o = {org(0, part), org(1, part), org(2, part)};
@@ -102,7 +101,6 @@ private:
             const FloatMask lanes = mask_of((bits >> part) & all_lanes);
             const Floats largest = max_abs(dir), reach = hn::Max(max_abs(to_lo), max_abs(to_hi));
             const Floats slack = splat(slack_of_extent) * reach, tiny = splat(1e-15f) * largest;
-            reach_ = larger(reach_, greatest_lane(hn::IfThenElseZero(lanes, reach)));
             const Floats components[3] = {dir.x, dir.y, dir.z};
             for (uint32_t axis = 0; axis < 3; ++axis) {
                 const Floats d = hn::IfThenElse(hn::Lt(hn::Abs(components[axis]), tiny),
@@ -148,7 +146,7 @@ private:
             const Point3 d = {rays_.dir_x[i], rays_.dir_y[i], rays_.dir_z[i]};
             float t = rays_.t[i];
             uint32_t id = rays_.triangle_id[i];
-            const LeafRay ray = leaf_ray(o, d, reach_, rays_.left[i]);
+            const LeafRay ray = leaf_ray(o, d, rays_.left[i]);
             if (!hit_leaf<any_hit>(question_, node.first_reference(), node.reference_count(), ray, t, id)) continue;
             hits_ |= 1u << lane;
             if constexpr (any_hit) {
@@ -166,7 +164,6 @@ private:
     uint32_t first_ray_;
     uint32_t hits_ = 0;
     bool upward_[3];
-    float reach_;
     alignas(64) float inverse_[3][block_size];
     alignas(64) float slack_[3][block_size];
     alignas(64) float end_[block_size]; ///< how far a ray may still go; -1 for rays that are done

@@ -88,29 +88,38 @@ HWY_INLINE FloatMask mask_of(uint32_t bits) {
 #endif
 }
 
-/// Where the bytes of those of four numbers are whose bits are set: a row for each set of them.
-struct ChosenBytes {
-    alignas(16) uint8_t rows[16][16] = {};
+/// Numbers of a vector's lanes, or of bytes, those first whose bits are set: a row for each set of bits.
+template <uint32_t lanes, uint32_t bytes_each> struct ChosenRows {
+    alignas(64) uint8_t rows[1u << lanes][lanes * bytes_each] = {};
 
-    constexpr ChosenBytes() {
-        for (uint32_t bits = 0; bits < 16; ++bits) {
+    constexpr ChosenRows() {
+        for (uint32_t bits = 0; bits < 1u << lanes; ++bits) {
             uint32_t to = 0;
-            for (uint32_t from = 0; from < 16; ++from) {
-                if ((bits >> (from / 4) & 1) != 0) rows[bits][to++] = static_cast<uint8_t>(from);
+            for (uint32_t from = 0; from < lanes * bytes_each; ++from) {
+                if ((bits >> (from / bytes_each) & 1) != 0) rows[bits][to++] = static_cast<uint8_t>(from);
             }
         }
     }
 };
-inline constexpr ChosenBytes chosen_bytes;
 
-/// Four numbers, those first whose bits are set, in their order. (Highway's Compress() has a table of a kilobyte, which
-/// gcc 12 copies at each call.)
-using FourUints = hn::CappedTag<uint32_t, 4>;
-inline constexpr FourUints four_uints;
-HWY_INLINE hn::Vec<FourUints> chosen_first(hn::Vec<FourUints> numbers, uint32_t bits) {
-    const hn::Repartition<uint8_t, FourUints> bytes;
-    return hn::BitCast(four_uints,
-                       hn::TableLookupBytes(hn::BitCast(bytes, numbers), hn::Load(bytes, chosen_bytes.rows[bits])));
+/// Writes those of a vector's numbers whose bits are set, in their order; returns how many. A vector is written,
+/// whatever the bits are. (But for AVX-512, Highway's Compress() has a table of a kilobyte, which gcc 12 copies at each
+/// call.)
+HWY_INLINE uint32_t put_chosen(Uints numbers, uint32_t bits, uint32_t *to) {
+#if HWY_TARGET == HWY_AVX3
+    // To a register first: straight to memory takes a hundred cycles on some processors.
+    hn::StoreU(hn::Compress(numbers, hn::RebindMask(uints, mask_of(bits))), uints, to);
+#elif HWY_TARGET == HWY_AVX2
+    static constexpr ChosenRows<8, 1> chosen;
+    const auto order = hn::PromoteTo(uints, hn::Load(hn::Rebind<uint8_t, UintTag>(), chosen.rows[bits]));
+    hn::StoreU(hn::TableLookupLanes(numbers, hn::IndicesFromVec(uints, order)), uints, to);
+#else
+    static constexpr ChosenRows<4, 4> chosen;
+    const hn::Repartition<uint8_t, UintTag> bytes;
+    const auto order = hn::Load(bytes, chosen.rows[bits]);
+    hn::StoreU(hn::BitCast(uints, hn::TableLookupBytes(hn::BitCast(bytes, numbers), order)), uints, to);
+#endif
+    return static_cast<uint32_t>(__builtin_popcount(bits));
 }
 
 HWY_INLINE Floats min3(Floats a, Floats b, Floats c) {

@@ -12,35 +12,6 @@ using HalfLeafDoubles = hn::Vec<HalfLeafDoubleTag>;
 inline constexpr HalfLeafTag half_leaf_floats;
 inline constexpr HalfLeafDoubleTag half_leaf_doubles;
 
-/// Planes as ExactPlane has them, for half of the lanes.
-struct LeafPlanes {
-    HalfLeafDoubles a[3], e1[3], e2[3], n[3];
-
-    LeafPlanes() = default;
-    HWY_INLINE LeafPlanes(const LeafLanes &leaf, bool is_upper) {
-        const auto row = [&](uint32_t r) {
-            const auto all = leaf.row(r);
-            return hn::PromoteTo(half_leaf_doubles, is_upper ? hn::UpperHalf(half_leaf_floats, all)
-                                                             : hn::LowerHalf(half_leaf_floats, all));
-        };
-        for (uint32_t i = 0; i < 3; ++i) {
-            a[i] = row(i);
-            e1[i] = row(3 + i) - a[i];
-            e2[i] = row(6 + i) - a[i];
-        }
-        for (int i = 0; i < 3; ++i) {
-            const int j = (i + 1) % 3, k = (i + 2) % 3;
-            n[i] = e1[j] * e2[k] - e1[k] * e2[j];
-        }
-    }
-
-    static HWY_INLINE HalfLeafDoubles set(float value) { return hn::Set(half_leaf_doubles, double(value)); }
-
-    /// n . (a - org)
-    [[nodiscard]] HWY_INLINE HalfLeafDoubles offset(const Point3 &org) const {
-        return (n[0] * (a[0] - set(org.x)) + n[1] * (a[1] - set(org.y))) + n[2] * (a[2] - set(org.z));
-    }
-};
 HWY_INLINE NarrowFloats both_halves(HalfLeafDoubles lower, HalfLeafDoubles upper) {
     return hn::Combine(narrow_floats, hn::DemoteTo(half_leaf_floats, upper), hn::DemoteTo(half_leaf_floats, lower));
 }
@@ -49,37 +20,14 @@ HWY_INLINE NarrowFloats abs_max(NarrowFloats x, NarrowFloats y, NarrowFloats z) 
     return hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
 }
 
-/// Distances at which something may be nearer than what was found so far.
-HWY_INLINE uint32_t in_reach(NarrowFloats t, float best_t) {
-    return bits_of(narrow_floats, hn::And(hn::Gt(t, hn::Zero(narrow_floats)), hn::Le(t, narrow_splat(best_t))));
-}
-
-/// What both kinds below share.
-class LeafList : public LeafLanes {
+/// For rays that start anywhere: see TriangleFromAnywhere.
+class LeafFromAnywhere : public LeafLanes {
 public:
-    using LeafLanes::LeafLanes;
-
     uint32_t passes = 0; ///< lanes that do not block
 
-protected:
-    /// As settle(), where the distances of all certain lanes are known but for the grazing ones.
-    template <bool any_hit> HWY_INLINE bool settle_at(NarrowFloats distances, uint32_t grazing, uint32_t possible,
-                                                      uint32_t certain, const Point3 &org, const Point3 &dir,
-                                                      uint32_t left, float &best_t, uint32_t &best_id) const {
-        possible &= in_reach(distances, best_t) | ~certain | grazing;
-        alignas(32) float t[narrow_lanes];
-        hn::Store(distances, narrow_floats, t);
-        return settle<any_hit>(possible, certain, org, dir, left, best_t, best_id, [&](uint32_t lane) {
-            return (grazing >> lane & 1) != 0 ? distance(lane, org, dir) : t[lane];
-        });
-    }
-};
-
-/// For rays that start anywhere: see TriangleFromAnywhere.
-class LeafFromAnywhere : public LeafList {
-public:
-    HWY_INLINE LeafFromAnywhere(const uint32_t *words, uint32_t count, uint32_t first, float dir_reach, float reach)
-        : LeafList(words, count, first),
+    /// `dir_reach` is the largest coordinate of all directions.
+    HWY_INLINE LeafFromAnywhere(const uint32_t *words, uint32_t count, uint32_t first, float dir_reach)
+        : LeafLanes(words, count, first),
           ax_(row(0)),
           ay_(row(1)),
           az_(row(2)),
@@ -93,53 +41,111 @@ public:
           ny_(hn::MulSub(e1z_, e2x_, e1x_ * e2z_)),
           nz_(hn::MulSub(e1x_, e2y_, e1y_ * e2x_)),
           margin_(hn::Zero(narrow_floats)),
-          margin_per_q_(hn::Zero(narrow_floats)) {
+          margin_per_s_(margin_),
+          margin_per_q_(margin_),
+          plane_error_(margin_) {
         const auto e = hn::Max(abs_max(e1x_, e1y_, e1z_), abs_max(e2x_, e2y_, e2z_));
-        margin_ = e * (narrow_splat(from_anywhere_error * dir_reach) * (narrow_splat(reach) + (e + e))) +
-                  narrow_splat(least_margin);
+        margin_per_s_ = narrow_splat(from_anywhere_error * dir_reach) * e;
+        margin_ = hn::MulAdd(margin_per_s_, e + e, narrow_splat(least_margin));
         margin_per_q_ = narrow_splat(from_anywhere_cross_error) * e;
+        plane_error_ = narrow_splat(float_plane_error) * (e * e);
     }
 
     /// `dir_reach` is the largest coordinate of this ray's direction.
     template <bool any_hit> HWY_INLINE bool hit(const Point3 &org, const Point3 &dir, float dir_reach, uint32_t left,
-                                                float &best_t, uint32_t &best_id) {
+                                                float &best_t, uint32_t &best_id) const {
         const auto dx = narrow_splat(dir.x), dy = narrow_splat(dir.y), dz = narrow_splat(dir.z);
         const auto sx = narrow_splat(org.x) - ax_, sy = narrow_splat(org.y) - ay_, sz = narrow_splat(org.z) - az_;
         const auto qx = hn::MulSub(dy, sz, dz * sy), qy = hn::MulSub(dz, sx, dx * sz), qz = hn::MulSub(dx, sy, dy * sx);
-        const auto margin = hn::MulAdd(margin_per_q_, (hn::Abs(qx) + hn::Abs(qy)) + hn::Abs(qz), margin_);
+        const auto s = abs_max(sx, sy, sz);
+        const auto margin =
+            hn::MulAdd(margin_per_q_, (hn::Abs(qx) + hn::Abs(qy)) + hn::Abs(qz), hn::MulAdd(margin_per_s_, s, margin_));
         const auto det = fused_dot(nx_, ny_, nz_, dx, dy, dz), u = fused_dot(e2x_, e2y_, e2z_, qx, qy, qz),
                    minus_v = fused_dot(e1x_, e1y_, e1z_, qx, qy, qz);
         const LeafVerdict verdict(u, hn::Neg(minus_v), (det - u) + minus_v, margin);
-        const uint32_t possible = valid() & ~verdict.outside() & ~passes;
+        uint32_t possible = valid() & ~verdict.outside() & ~passes;
         if (possible == 0) return false;
-        if (!has_planes_) make_planes();
-        const auto slope = (plane_[0] * dx + plane_[1] * dy) + plane_[2] * dz;
-        const uint32_t grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(slope), grazing_ * narrow_splat(dir_reach)));
-        const auto distances = both_halves(lower_.offset(org), upper_.offset(org)) / slope;
-        return settle_at<any_hit>(distances, grazing, possible, verdict.certain(), org, dir, left, best_t, best_id);
+        // Most often that is the triangle that the ray comes from, a little behind it.
+        const auto height = fused_dot(nx_, ny_, nz_, sx, sy, sz), least = narrow_splat(least_margin);
+        const auto way_back = hn::Xor(height, sign_of(det));
+        const auto is_behind = hn::Gt(way_back, hn::MulAdd(plane_error_, s, least));
+        const auto crosses = hn::Gt(hn::Abs(det), hn::MulAdd(plane_error_, narrow_splat(dir_reach), least));
+        possible &= ~bits_of(narrow_floats, hn::And(is_behind, crosses));
+        if (possible == 0) return false;
+        return settle<any_hit>(possible, verdict.certain(), org, dir, left, best_t, best_id,
+                               [&](uint32_t lane) { return distance(lane, org, dir); });
     }
 
 private:
-    HWY_INLINE void make_planes() {
-        lower_ = LeafPlanes(*this, false);
-        upper_ = LeafPlanes(*this, true);
-        for (int i = 0; i < 3; ++i) plane_[i] = both_halves(lower_.n[i], upper_.n[i]);
-        grazing_ = narrow_splat(least_slope) * ((hn::Abs(plane_[0]) + hn::Abs(plane_[1])) + hn::Abs(plane_[2]));
-        has_planes_ = true;
-    }
-
-    NarrowFloats ax_, ay_, az_, e1x_, e1y_, e1z_, e2x_, e2y_, e2z_, nx_, ny_, nz_, margin_, margin_per_q_;
-    bool has_planes_ = false; ///< what follows is made when a ray may hit
-    LeafPlanes lower_{}, upper_{};
-    NarrowFloats plane_[3] = {hn::Zero(narrow_floats), hn::Zero(narrow_floats), hn::Zero(narrow_floats)};
-    NarrowFloats grazing_ = hn::Zero(narrow_floats);
+    NarrowFloats ax_, ay_, az_, e1x_, e1y_, e1z_, e2x_, e2y_, e2z_, nx_, ny_, nz_;
+    NarrowFloats margin_, margin_per_s_, margin_per_q_;
+    NarrowFloats plane_error_; ///< of n . x, where x is 1
 };
 
-/// For rays from one point: see TriangleFromPoint.
-class LeafFromPoint : public LeafList {
+/// Shadow rays from one point. In float, which leaves few lanes open, since a shadow ray needs no distance.
+class LeafOccluders : public LeafLanes {
+public:
+    /// `dir_reach` is the largest coordinate of all directions.
+    HWY_INLINE LeafOccluders(const TraceQuestion &question, const uint32_t *words, uint32_t count, uint32_t first,
+                             const Point3 &org, float dir_reach)
+        : LeafLanes(words, count, first), org_(org), blocking_(valid() & ~passed_by(question)) {
+        const NarrowFloats a[3] = {row(0), row(1), row(2)};
+        const NarrowFloats e1[3] = {row(3) - a[0], row(4) - a[1], row(5) - a[2]};
+        const NarrowFloats e2[3] = {row(6) - a[0], row(7) - a[1], row(8) - a[2]};
+        const NarrowFloats s[3] = {narrow_splat(org.x) - a[0], narrow_splat(org.y) - a[1], narrow_splat(org.z) - a[2]};
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            u_[i] = hn::MulSub(s[j], e2[k], s[k] * e2[j]);
+            v_[i] = hn::MulSub(e1[j], s[k], e1[k] * s[j]);
+            n_[i] = hn::MulSub(e1[j], e2[k], e1[k] * e2[j]);
+        }
+        offset_ = hn::Neg(fused_dot(n_[0], n_[1], n_[2], s[0], s[1], s[2]));
+        const auto e = hn::Max(abs_max(e1[0], e1[1], e1[2]), abs_max(e2[0], e2[1], e2[2]));
+        const auto reach = abs_max(s[0], s[1], s[2]), d = narrow_splat(dir_reach), least = narrow_splat(least_margin);
+        margin_ = hn::MulAdd(narrow_splat(float_point_error) * (d * e), reach + e, least);
+        const auto plane_error = narrow_splat(float_plane_error) * (e * e);
+        det_error_ = hn::MulAdd(plane_error, d, least);
+        offset_error_ = hn::MulAdd(plane_error, reach, least);
+    }
+
+    /// Whether any triangle but `left` is met before t_max. The distance t = offset / det that counts is off by
+    /// distance_error of itself.
+    [[nodiscard]] HWY_INLINE bool block(const Point3 &dir, uint32_t left, float t_max) const {
+        const auto dx = narrow_splat(dir.x), dy = narrow_splat(dir.y), dz = narrow_splat(dir.z);
+        const auto det = fused_dot(n_[0], n_[1], n_[2], dx, dy, dz);
+        const auto u = fused_dot(u_[0], u_[1], u_[2], dx, dy, dz), v = fused_dot(v_[0], v_[1], v_[2], dx, dy, dz);
+        const LeafVerdict verdict(u, v, (det - u) - v, margin_);
+        uint32_t possible = blocking_ & ~verdict.outside();
+        if (possible == 0) return false;
+        const auto end = narrow_splat(t_max), at_end = end * hn::Abs(det);
+        const auto offset = hn::Xor(offset_, sign_of(det)), beyond = offset - at_end;
+        const auto room =
+            hn::MulAdd(at_end, narrow_splat(2.0f * distance_error), hn::MulAdd(end, det_error_, offset_error_));
+        const auto crosses = hn::Gt(hn::Abs(det), det_error_);
+        const auto misses = hn::Or(hn::Lt(offset, hn::Neg(offset_error_)), hn::Gt(beyond, room));
+        possible &= ~bits_of(narrow_floats, hn::And(crosses, misses));
+        if (possible == 0) return false;
+        const auto meets = hn::And(hn::Gt(offset, offset_error_), hn::Lt(beyond, hn::Neg(room)));
+        const uint32_t blocks = bits_of(narrow_floats, hn::And(crosses, meets)) & verdict.certain() & possible;
+        for (uint32_t rest = blocks; rest != 0; rest &= rest - 1) {
+            if (id(lowest_bit(rest)) != left) return true;
+        }
+        uint32_t triangle_id;
+        return settle<true>(possible & ~blocks, verdict.certain(), org_, dir, left, t_max, triangle_id,
+                            [&](uint32_t lane) { return distance(lane, org_, dir); });
+    }
+
+private:
+    const Point3 &org_;
+    uint32_t blocking_; ///< lanes that may block
+    NarrowFloats u_[3], v_[3], n_[3], offset_, margin_, det_error_, offset_error_;
+};
+
+/// Rays from one point that look for the closest hit: see TriangleFromPoint.
+class LeafFromPoint : public LeafLanes {
 public:
     HWY_INLINE LeafFromPoint(const uint32_t *words, uint32_t count, uint32_t first, const Point3 &org, float dir_reach)
-        : LeafList(words, count, first), org_(org) {
+        : LeafLanes(words, count, first), org_(org) {
         const Half lower(*this, org, false), upper(*this, org, true);
         for (int i = 0; i < 3; ++i) {
             u_[i] = both_halves(lower.u[i], upper.u[i]);
@@ -155,17 +161,24 @@ public:
         grazing_ = narrow_splat(least_slope) * ((hn::Abs(n_[0]) + hn::Abs(n_[1])) + hn::Abs(n_[2]));
     }
 
-    template <bool any_hit> HWY_INLINE bool hit(const Point3 &, const Point3 &dir, float dir_reach, uint32_t left,
-                                                float &best_t, uint32_t &best_id) {
+    /// Arguments and result as settle() has them.
+    HWY_INLINE bool hit(const Point3 &dir, float dir_reach, uint32_t left, float &best_t, uint32_t &best_id) const {
         const auto dx = narrow_splat(dir.x), dy = narrow_splat(dir.y), dz = narrow_splat(dir.z);
         const auto det = (n_[0] * dx + n_[1] * dy) + n_[2] * dz;
         const auto u = fused_dot(u_[0], u_[1], u_[2], dx, dy, dz), v = fused_dot(v_[0], v_[1], v_[2], dx, dy, dz);
         const LeafVerdict verdict(u, v, (det - u) - v, margin_);
-        const uint32_t possible = valid() & ~verdict.outside() & ~passes;
+        uint32_t possible = valid() & ~verdict.outside();
         if (possible == 0) return false;
         const uint32_t grazing = bits_of(narrow_floats, hn::Lt(hn::Abs(det), grazing_ * narrow_splat(dir_reach)));
         const auto distances = offset_ / det;
-        return settle_at<any_hit>(distances, grazing, possible, verdict.certain(), org_, dir, left, best_t, best_id);
+        const uint32_t in_reach = bits_of(narrow_floats, hn::And(hn::Gt(distances, hn::Zero(narrow_floats)),
+                                                                 hn::Le(distances, narrow_splat(best_t))));
+        possible &= in_reach | ~verdict.certain() | grazing;
+        alignas(32) float t[narrow_lanes];
+        hn::Store(distances, narrow_floats, t);
+        return settle<false>(possible, verdict.certain(), org_, dir, left, best_t, best_id, [&](uint32_t lane) {
+            return (grazing >> lane & 1) != 0 ? distance(lane, org_, dir) : t[lane];
+        });
     }
 
     /// What has been worked out, to be read lane by lane.
@@ -187,20 +200,30 @@ public:
     }
 
 private:
-    /// In double, for half of the lanes.
-    struct Half : LeafPlanes {
-        HalfLeafDoubles s[3], u[3], v[3], offset;
+    /// In double, for half of the lanes: planes as ExactPlane has them, and the rest.
+    struct Half {
+        HalfLeafDoubles n[3], s[3], u[3], v[3], offset;
 
-        HWY_INLINE Half(const LeafLanes &leaf, const Point3 &org, bool is_upper)
-            : LeafPlanes(leaf, is_upper), offset(LeafPlanes::offset(org)) {
+        HWY_INLINE Half(const LeafLanes &leaf, const Point3 &org, bool is_upper) {
+            const auto row = [&](uint32_t r) {
+                const auto all = leaf.row(r);
+                return hn::PromoteTo(half_leaf_doubles, is_upper ? hn::UpperHalf(half_leaf_floats, all)
+                                                                 : hn::LowerHalf(half_leaf_floats, all));
+            };
+            const auto set = [](float value) { return hn::Set(half_leaf_doubles, double(value)); };
+            const HalfLeafDoubles a[3] = {row(0), row(1), row(2)};
+            const HalfLeafDoubles e1[3] = {row(3) - a[0], row(4) - a[1], row(5) - a[2]};
+            const HalfLeafDoubles e2[3] = {row(6) - a[0], row(7) - a[1], row(8) - a[2]};
             s[0] = set(org.x) - a[0];
             s[1] = set(org.y) - a[1];
             s[2] = set(org.z) - a[2];
             for (int i = 0; i < 3; ++i) {
                 const int j = (i + 1) % 3, k = (i + 2) % 3;
+                n[i] = e1[j] * e2[k] - e1[k] * e2[j];
                 u[i] = s[j] * e2[k] - s[k] * e2[j];
                 v[i] = e1[j] * s[k] - e1[k] * s[j];
             }
+            offset = (n[0] * (a[0] - set(org.x)) + n[1] * (a[1] - set(org.y))) + n[2] * (a[2] - set(org.z));
         }
     };
 

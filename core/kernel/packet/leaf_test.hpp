@@ -91,27 +91,24 @@ private:
 ///
 /// The error, by counting every rounding, with eps = 2^-24, r the largest coordinate of a corner seen from the origin,
 /// and m that of the corners in the new x and y: the corners there are off by 6 eps r + eps m, U, V and W by
-/// eps m (24 r + 8 m).
+/// eps m (24 r + 8 m). With f the farthest corner along z, r is f + m at most.
 struct LeafRay {
     Point3 org, dir;
     uint32_t left;          ///< the triangle that is passed
-    float reach_margin;     ///< the part of the error that the way from the origin to any corner has
     uint32_t z;             ///< an axis of the world's; x and y are the others in their order
     float slope_x, slope_y; ///< how far it goes along x and y for one step along z
 
-    static constexpr float error = 28 * 0x1p-24f;
+    static constexpr float error = 28 * 0x1p-24f; ///< times m (f + 2 m)
 
     [[nodiscard]] HWY_INLINE uint32_t x() const { return z == 0 ? 1 : 0; }
     [[nodiscard]] HWY_INLINE uint32_t y() const { return z == 2 ? 1 : 2; }
 };
 
-/// `reach` is at least the largest coordinate of the way from the origin to any corner.
-HWY_INLINE LeafRay leaf_ray(const Point3 &org, const Point3 &dir, float reach, uint32_t left) {
+HWY_INLINE LeafRay leaf_ray(const Point3 &org, const Point3 &dir, uint32_t left) {
     LeafRay ray;
     ray.org = org;
     ray.dir = dir;
     ray.left = left;
-    ray.reach_margin = LeafRay::error * reach;
     const float along_x = magnitude(dir.x), along_y = magnitude(dir.y), along_z = magnitude(dir.z);
     ray.z = along_x >= along_y && along_x >= along_z ? 0 : along_y >= along_z ? 1 : 2;
     const float components[3] = {dir.x, dir.y, dir.z};
@@ -139,27 +136,66 @@ private:
     NarrowFloats least_, greatest_, margin_;
 };
 
-HWY_INLINE LeafVerdict judge_leaf(const LeafLanes &leaf, const LeafRay &ray) {
-    const auto seen = [&](uint32_t axis) {
+/// Its highest bit alone.
+HWY_INLINE NarrowFloats sign_of(NarrowFloats x) {
+    return hn::And(x, narrow_splat(-0.0f));
+}
+
+/// A leaf's triangles in a ray's own space.
+class LeafInRaySpace {
+public:
+    HWY_INLINE LeafInRaySpace(const LeafLanes &leaf, const LeafRay &ray)
+        : z_(seen(leaf, ray, ray.z)),
+          along_(ray.z == 0   ? ray.dir.x
+                 : ray.z == 1 ? ray.dir.y
+                              : ray.dir.z) {
+        const auto sheared = [&](uint32_t axis, float slope) {
+            const LeafLanes::Corners corners = seen(leaf, ray, axis);
+            const auto by = narrow_splat(slope);
+            return LeafLanes::Corners{hn::NegMulAdd(by, z_.a, corners.a), hn::NegMulAdd(by, z_.b, corners.b),
+                                      hn::NegMulAdd(by, z_.c, corners.c)};
+        };
+        const LeafLanes::Corners x = sheared(ray.x(), ray.slope_x), y = sheared(ray.y(), ray.slope_y);
+        m_ = hn::Max(hn::Max(hn::Max(hn::Abs(x.a), hn::Abs(y.a)), hn::Max(hn::Abs(x.b), hn::Abs(y.b))),
+                     hn::Max(hn::Abs(x.c), hn::Abs(y.c)));
+        f_ = hn::Max(hn::Max(hn::Abs(z_.a), hn::Abs(z_.b)), hn::Abs(z_.c));
+        u_ = hn::MulSub(x.c, y.b, y.c * x.b);
+        v_ = hn::MulSub(x.a, y.c, y.a * x.c);
+        w_ = hn::MulSub(x.b, y.a, y.b * x.a);
+        margin_ = hn::MulAdd(m_, narrow_splat(LeafRay::error) * (f_ + (m_ + m_)), narrow_splat(least_margin));
+    }
+
+    [[nodiscard]] HWY_INLINE LeafVerdict verdict() const { return {u_, v_, w_, margin_}; }
+
+    /// Of triangles that may be met: those that certainly lie behind the origin. They are met at depth
+    ///     z = (U Az + V Bz + W Cz) / (U + V + W),
+    /// whose numerator is off by 3 times the margin times f, and 18 eps f m^2 for its own roundings, and whose
+    /// denominator by 3 times the margin and 10 eps m^2. The margin is 56 eps m^2 at least. What is seen edge on has
+    /// its depth from somewhere else (edge_on_depth()), and a denominator of less than 2^-23 (f^2 + m^2).
+    [[nodiscard]] HWY_INLINE uint32_t behind() const {
+        const auto numerator = hn::MulAdd(u_, z_.a, hn::MulAdd(v_, z_.b, w_ * z_.c)), denominator = (u_ + v_) + w_;
+        const auto off = narrow_splat(4.0f) * margin_;
+        const auto edge_on = narrow_splat(0x1p-23f) * hn::MulAdd(f_, f_, m_ * m_);
+        // Positive behind the origin, since z goes from the corners to it.
+        const auto way_back = hn::Xor(numerator, sign_of(hn::Xor(denominator, narrow_splat(along_))));
+        const auto enough = hn::MulAdd(off, f_, narrow_splat(least_margin));
+        return bits_of(narrow_floats, hn::And(hn::Gt(way_back, enough), hn::Gt(hn::Abs(denominator), off + edge_on)));
+    }
+
+private:
+    /// From the corners to the origin.
+    static HWY_INLINE LeafLanes::Corners seen(const LeafLanes &leaf, const LeafRay &ray, uint32_t axis) {
         const float org[3] = {ray.org.x, ray.org.y, ray.org.z};
         const LeafLanes::Corners corners = leaf.corners(axis);
         const auto from = narrow_splat(org[axis]);
-        return LeafLanes::Corners{from - corners.a, from - corners.b, from - corners.c};
-    };
-    const LeafLanes::Corners z = seen(ray.z);
-    const auto sheared = [&](uint32_t axis, float slope) {
-        const LeafLanes::Corners corners = seen(axis);
-        const auto by = narrow_splat(slope);
-        return LeafLanes::Corners{hn::NegMulAdd(by, z.a, corners.a), hn::NegMulAdd(by, z.b, corners.b),
-                                  hn::NegMulAdd(by, z.c, corners.c)};
-    };
-    const LeafLanes::Corners x = sheared(ray.x(), ray.slope_x), y = sheared(ray.y(), ray.slope_y);
-    const auto m = hn::Max(hn::Max(hn::Max(hn::Abs(x.a), hn::Abs(y.a)), hn::Max(hn::Abs(x.b), hn::Abs(y.b))),
-                           hn::Max(hn::Abs(x.c), hn::Abs(y.c)));
-    return {hn::MulSub(x.c, y.b, y.c * x.b), hn::MulSub(x.a, y.c, y.a * x.c), hn::MulSub(x.b, y.a, y.b * x.a),
-            hn::MulAdd(m, hn::MulAdd(m, narrow_splat(LeafRay::error), narrow_splat(ray.reach_margin)),
-                       narrow_splat(least_margin))};
-}
+        return {from - corners.a, from - corners.b, from - corners.c};
+    }
+
+    LeafLanes::Corners z_;
+    /// As LeafRay has them.
+    NarrowFloats m_ = hn::Zero(narrow_floats), f_ = m_, u_ = m_, v_ = m_, w_ = m_, margin_ = m_;
+    float along_; ///< z of the ray's direction
+};
 
 /// One ray against the triangles of a leaf. Lowers best_t and sets best_id where something nearer is hit, or as near
 /// with a lower id; where any hit will do, stops at the first. Returns whether there was one.
@@ -170,8 +206,12 @@ template <bool any_hit> HWY_NOINLINE bool hit_leaf(const TraceQuestion &question
     bool hit = false;
     for (uint32_t first = 0; first < count; first += narrow_lanes) {
         const LeafLanes leaf(words, count, first);
-        const LeafVerdict verdict = judge_leaf(leaf, ray);
+        const LeafInRaySpace seen(leaf, ray);
+        const LeafVerdict verdict = seen.verdict();
         uint32_t possible = leaf.valid() & ~verdict.outside();
+        if (possible == 0) continue;
+        // Most often that is the triangle that the ray comes from.
+        possible &= ~seen.behind();
         if (possible == 0) continue;
         if constexpr (any_hit) possible &= ~leaf.passed_by(question);
         hit |= leaf.template settle<any_hit>(possible, verdict.certain(), ray.org, ray.dir, ray.left, best_t, best_id,

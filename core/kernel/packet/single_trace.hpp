@@ -10,12 +10,10 @@ struct SingleRay {
     float org[3], dir[3];
     float inverse_dir[3];     ///< finite: components too small to matter are made tiny instead of zero
     float parameter_slack[3]; ///< slack as a difference of t, along each axis
-    float reach;              ///< largest coordinate of the way to any corner
 
     HWY_INLINE SingleRay(const Point3 &o, const Point3 &d, const Box &scene_bounds)
         : org{o.x, o.y, o.z}, dir{d.x, d.y, d.z} {
-        reach = reach_of(scene_bounds, o);
-        const float slack = 0x1p-20f * reach, tiny = 1e-15f * max_abs(d);
+        const float slack = 0x1p-20f * reach_of(scene_bounds, o), tiny = 1e-15f * max_abs(d);
         for (int axis = 0; axis < 3; ++axis) {
             const float a = dir[axis];
             inverse_dir[axis] = 1.0f / (magnitude(a) < tiny ? __builtin_copysignf(tiny, a) : a);
@@ -29,8 +27,7 @@ public:
     HWY_INLINE SingleTrace(const TraceQuestion &question, RayGroup &rays, uint32_t number, const Point3 &org)
         : question_(question),
           ray_(org, {rays.dir_x[number], rays.dir_y[number], rays.dir_z[number]}, question.geometry.bounds),
-          leaf_ray_(leaf_ray(org, {rays.dir_x[number], rays.dir_y[number], rays.dir_z[number]}, ray_.reach,
-                             rays.left[number])),
+          leaf_ray_(leaf_ray(org, {rays.dir_x[number], rays.dir_y[number], rays.dir_z[number]}, rays.left[number])),
           best_t_(rays.t[number]),
           best_id_(rays.triangle_id[number]) {}
 

@@ -13,7 +13,7 @@ inline constexpr uint32_t fewest_in_stream = 5;
 /// Fewer rays than this ask a node's children at once, not the beam around all rays first.
 inline constexpr uint32_t fewest_to_ask_beam = 16;
 /// Fewer rays than this are not worth working out what a leaf's triangles have for all rays.
-inline constexpr uint32_t fewest_to_prepare_leaf = 3;
+inline constexpr uint32_t fewest_to_prepare_leaf = 2;
 /// Lists that wait: those of a node's children at every level.
 inline constexpr uint32_t most_lists = (WideNode::width - 1) * max_bvh_depth + WideNode::width;
 
@@ -46,7 +46,7 @@ public:
     HWY_NOINLINE uint32_t prepare() {
         const Box &box = question_.geometry.bounds;
         Uints some = hn::Zero(uints), every = hn::Set(uints, 7);
-        Floats most_dir = hn::Zero(floats), most_reach = hn::Zero(floats);
+        Floats most_dir = hn::Zero(floats);
         for_each_vector(selection_, [&](uint32_t ray, uint32_t lane_bits) {
             const FloatMask lanes = mask_of(lane_bits);
             const Points dir = rays_.dir(ray);
@@ -55,7 +55,6 @@ public:
             const Points to_hi = {splat(box.hi.x) - org.x, splat(box.hi.y) - org.y, splat(box.hi.z) - org.z};
             const Floats largest = max_abs(dir), reach = hn::Max(max_abs(to_lo), max_abs(to_hi));
             most_dir = hn::Max(most_dir, hn::IfThenElseZero(lanes, largest));
-            most_reach = hn::Max(most_reach, hn::IfThenElseZero(lanes, reach));
             // Distances through boxes are counted in units of the direction's power of two: without that a very short
             // direction's inverse, times the origin, might not be finite.
             const Uints exponent =
@@ -80,23 +79,24 @@ public:
             hn::Store(unit, floats, unit_ + ray);
             hn::Store(octant, uints, octant_ + ray);
             hn::Store(largest, floats, ray_dir_reach_ + ray);
-            // As leaf_ray() has it. Not by the inverse, which is not exact where a direction is very long.
-            const Floats along[3] = {hn::Abs(dir.x), hn::Abs(dir.y), hn::Abs(dir.z)};
-            const FloatMask by_x = hn::And(hn::Ge(along[0], along[1]), hn::Ge(along[0], along[2]));
-            const FloatMask by_y = hn::Ge(along[1], along[2]);
-            const Floats most = hn::IfThenElse(by_x, dir.x, hn::IfThenElse(by_y, dir.y, dir.z));
-            hn::Store(hn::IfThenElse(by_x, dir.y, dir.x) / most, floats, slope_x_ + ray);
-            hn::Store(hn::IfThenElse(hn::Or(by_x, by_y), dir.z, dir.y) / most, floats, slope_y_ + ray);
-            hn::Store(
-                hn::IfThenZeroElse(hn::RebindMask(uints, by_x),
-                                   hn::IfThenElse(hn::RebindMask(uints, by_y), hn::Set(uints, 1), hn::Set(uints, 2))),
-                uints, most_along_ + ray);
+            if constexpr (!shares_origin) {
+                // As leaf_ray() has it. Not by the inverse, which is not exact where a direction is very long.
+                const Floats along[3] = {hn::Abs(dir.x), hn::Abs(dir.y), hn::Abs(dir.z)};
+                const FloatMask by_x = hn::And(hn::Ge(along[0], along[1]), hn::Ge(along[0], along[2]));
+                const FloatMask by_y = hn::Ge(along[1], along[2]);
+                const Floats most = hn::IfThenElse(by_x, dir.x, hn::IfThenElse(by_y, dir.y, dir.z));
+                hn::Store(hn::IfThenElse(by_x, dir.y, dir.x) / most, floats, slope_x_ + ray);
+                hn::Store(hn::IfThenElse(hn::Or(by_x, by_y), dir.z, dir.y) / most, floats, slope_y_ + ray);
+                hn::Store(hn::IfThenZeroElse(
+                              hn::RebindMask(uints, by_x),
+                              hn::IfThenElse(hn::RebindMask(uints, by_y), hn::Set(uints, 1), hn::Set(uints, 2))),
+                          uints, most_along_ + ray);
+            }
             const auto selected = hn::RebindMask(uints, lanes);
             some = hn::Or(some, hn::IfThenElseZero(selected, octant));
             every = hn::And(every, hn::IfThenElse(selected, octant, every));
         });
         dir_reach_ = greatest_lane(most_dir);
-        reach_ = greatest_lane(most_reach);
         alignas(64) uint32_t lanes[2][lane_count];
         hn::Store(some, uints, lanes[0]);
         hn::Store(every, uints, lanes[1]);
@@ -108,7 +108,8 @@ public:
         return in_some & ~in_every;
     }
 
-    /// Appends the selected rays of a block that enter a node's child; returns how many. Up to four more are written.
+    /// Appends the selected rays of a block that enter a node's child; returns how many. Up to a vector more is
+    /// written.
     HWY_INLINE uint32_t enter(uint32_t block, const WideNode &node, uint32_t child, uint32_t *to) {
         const uint32_t first_ray = block * block_size,
                        octant = octant_[first_ray + lowest_bit(selection_.blocks[block])];
@@ -132,11 +133,7 @@ public:
             const Floats begin = hn::Max(max3(slab(0, false), slab(1, false), slab(2, false)), hn::Zero(floats));
             const Floats stop = hn::Min(min3(slab(0, true), slab(1, true), slab(2, true)), end);
             const uint32_t lanes = bits_of(hn::Le(begin, stop)) & selection_.lanes(ray);
-            for (uint32_t lane = 0; lane < lane_count; lane += 4) {
-                const uint32_t bits = lanes >> lane & 15;
-                hn::StoreU(chosen_first(hn::Iota(four_uints, ray + lane), bits), four_uints, to + count);
-                count += static_cast<uint32_t>(__builtin_popcount(bits));
-            }
+            count += put_chosen(hn::Iota(uints, ray), lanes, to + count);
         }
         return count;
     }
@@ -192,26 +189,12 @@ private:
     static HWY_INLINE uint32_t pick(const uint32_t *flags, uint32_t bit, const uint32_t *rays, uint32_t count,
                                     uint32_t *to) {
         uint32_t picked = 0;
-#if HWY_TARGET == HWY_AVX3
-        for (uint32_t i = 0; i < count; i += lane_count) {
-            const auto valid = hn::FirstN(uints, count - i);
-            const auto chosen = hn::And(hn::TestBit(hn::Load(uints, flags + i), hn::Set(uints, bit)), valid);
-            // To a register first: straight to memory takes a hundred cycles on some processors.
-            hn::StoreU(hn::Compress(hn::LoadU(uints, rays + i), chosen), uints, to + picked);
-            picked += static_cast<uint32_t>(hn::CountTrue(uints, chosen));
-        }
-#else
         for (uint32_t i = 0; i < count; i += lane_count) {
             const uint32_t valid = count - i >= lane_count ? all_lanes : ~(~0u << (count - i));
             const uint32_t chosen =
                 bits_of(uints, hn::TestBit(hn::Load(uints, flags + i), hn::Set(uints, bit))) & valid;
-            for (uint32_t lane = 0; lane < lane_count; lane += 4) {
-                const uint32_t bits = chosen >> lane & 15;
-                hn::StoreU(chosen_first(hn::LoadU(four_uints, rays + i + lane), bits), four_uints, to + picked);
-                picked += static_cast<uint32_t>(__builtin_popcount(bits));
-            }
+            picked += put_chosen(hn::LoadU(uints, rays + i), chosen, to + picked);
         }
-#endif
         return picked;
     }
 
@@ -309,37 +292,45 @@ private:
         const uint32_t references = link.reference_count();
         const uint32_t *words = question_.geometry.leaf_words + words_per_reference * size_t{link.number()};
         for (uint32_t first = 0; first < references; first += narrow_lanes) {
-            if constexpr (shares_origin) {
-                LeafFromPoint leaf(words, references, first, rays_.shared_origin, dir_reach_);
-                hit(leaf, ids, count);
+            if constexpr (shares_origin && any_hit) {
+                const LeafOccluders leaf(question_, words, references, first, rays_.shared_origin, dir_reach_);
+                for_each_looking(ids, count, [&](uint32_t ray, const Point3 &dir, float &t, uint32_t &) {
+                    return leaf.block(dir, rays_.left[ray], t);
+                });
+            } else if constexpr (shares_origin) {
+                const LeafFromPoint leaf(words, references, first, rays_.shared_origin, dir_reach_);
+                for_each_looking(ids, count, [&](uint32_t ray, const Point3 &dir, float &t, uint32_t &id) {
+                    return leaf.hit(dir, ray_dir_reach_[ray], rays_.left[ray], t, id);
+                });
             } else {
-                LeafFromAnywhere leaf(words, references, first, dir_reach_, reach_);
-                hit(leaf, ids, count);
+                LeafFromAnywhere leaf(words, references, first, dir_reach_);
+                if constexpr (any_hit) leaf.passes = leaf.passed_by(question_);
+                for_each_looking(ids, count, [&](uint32_t ray, const Point3 &dir, float &t, uint32_t &id) {
+                    const Point3 org = {rays_.org_x[ray], rays_.org_y[ray], rays_.org_z[ray]};
+                    return leaf.template hit<any_hit>(org, dir, ray_dir_reach_[ray], rays_.left[ray], t, id);
+                });
             }
         }
     }
 
-    template <typename Leaf> HWY_INLINE void hit(Leaf &leaf, const uint32_t *ids, uint32_t count) {
-        leaf.passes = any_hit ? leaf.passed_by(question_) : 0;
+    /// Takes what hit(ray, dir, t, id) finds, which says whether it did and lowers t.
+    template <typename Hit> HWY_INLINE void for_each_looking(const uint32_t *ids, uint32_t count, Hit &&hit) {
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t ray = ids[i];
             if (any_hit && end_[ray] < 0.0f) continue;
-            const Point3 org =
-                shares_origin ? rays_.shared_origin : Point3{rays_.org_x[ray], rays_.org_y[ray], rays_.org_z[ray]};
-            const Point3 dir = {rays_.dir_x[ray], rays_.dir_y[ray], rays_.dir_z[ray]};
             float t = rays_.t[ray];
             uint32_t id = rays_.triangle_id[ray];
-            if (leaf.template hit<any_hit>(org, dir, ray_dir_reach_[ray], rays_.left[ray], t, id)) take(ray, t, id);
+            if (hit(ray, Point3{rays_.dir_x[ray], rays_.dir_y[ray], rays_.dir_z[ray]}, t, id)) take(ray, t, id);
         }
     }
 
     HWY_INLINE LeafRay leaf_ray(uint32_t ray) const {
-        const Point3 org =
-            shares_origin ? rays_.shared_origin : Point3{rays_.org_x[ray], rays_.org_y[ray], rays_.org_z[ray]};
-        return {org,
-                {rays_.dir_x[ray], rays_.dir_y[ray], rays_.dir_z[ray]},
+        const Point3 dir = {rays_.dir_x[ray], rays_.dir_y[ray], rays_.dir_z[ray]};
+        // Few rays from one point come so far alone.
+        if constexpr (shares_origin) return HWY_NAMESPACE::leaf_ray(rays_.shared_origin, dir, rays_.left[ray]);
+        return {{rays_.org_x[ray], rays_.org_y[ray], rays_.org_z[ray]},
+                dir,
                 rays_.left[ray],
-                LeafRay::error * reach_,
                 most_along_[ray],
                 slope_x_[ray],
                 slope_y_[ray]};
@@ -372,7 +363,7 @@ private:
     RayGroup &rays_;
     RaySelection &selection_;
     const Beam *beam_;
-    float dir_reach_ = 0.0f, reach_ = 0.0f;
+    float dir_reach_ = 0.0f;
     uint32_t hits_ = 0;
     alignas(64) float inverse_[3][group_size];
     alignas(64) float near_offset_[3][group_size];
@@ -381,8 +372,9 @@ private:
     alignas(64) float unit_[group_size]; ///< of distances through boxes
     alignas(64) uint32_t octant_[group_size];
     alignas(64) float ray_dir_reach_[group_size];
-    alignas(64) uint32_t most_along_[group_size];                 ///< LeafRay::z
-    alignas(64) float slope_x_[group_size], slope_y_[group_size]; ///< of LeafRay
+    // Of LeafRay, but not where rays share an origin.
+    alignas(64) uint32_t most_along_[group_size]; ///< LeafRay::z
+    alignas(64) float slope_x_[group_size], slope_y_[group_size];
     alignas(64) uint32_t ids_[arena_size + 32];
 };
 

@@ -18,10 +18,15 @@ namespace glint::HWY_NAMESPACE {
 ///  and
 ///    V by 2 (1 + k) m |e| dir_z besides, W by twice that;
 ///  - from anywhere, with q = dir x s: each component of q is off by 4 eps |dir| |s| + eps |q|, U and V by
-///    |e| (12 eps |dir| |s| + 6 eps sum|q|), and n . dir, cross product in float, by 40 eps |dir| |e|^2.
+///    |e| (12 eps |dir| |s| + 6 eps sum|q|), and n . dir, cross product in float, by 40 eps |dir| |e|^2;
+///  - from one point, cross products in float: 33 eps |dir| |e| |s| for U and V, 40 eps |dir| |e|^2 for n . dir and as
+///    much with s for n . s, hence 84 eps |dir| |e| (|s| + |e|) for W.
 inline constexpr float from_point_error = 32 * 0x1p-24f;
 inline constexpr float from_anywhere_error = 28 * 0x1p-24f;       ///< times |dir| |e| (|s| + 2 |e|)
 inline constexpr float from_anywhere_cross_error = 16 * 0x1p-24f; ///< times |e| sum|q|
+inline constexpr float float_point_error = 96 * 0x1p-24f;         ///< times |dir| |e| (|s| + |e|)
+/// Of n . x, with n in float, times |x| |e|^2. What is seen edge on has less (see least_det).
+inline constexpr float float_plane_error = 48 * 0x1p-24f;
 /// Added to the margin: covers what is lost where products fall below the smallest normal float.
 inline constexpr float least_margin = 0x1p-120f;
 
