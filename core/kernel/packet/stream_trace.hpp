@@ -217,7 +217,7 @@ private:
         uint32_t any = 0, all = ~0u;
         alignas(32) float begins[WideNode::width]; // the least of all rays
         NarrowFloats first_begin[WideNode::width / narrow_lanes];
-        for (NarrowFloats &b : first_begin) b = narrow_splat(__builtin_inff());
+        for (NarrowFloats &b : first_begin) b = narrow_splat(any_hit ? 0.0f : __builtin_inff());
         for (uint32_t i = 0; i < now.count; ++i) {
             const uint32_t ray = ids[i];
             uint32_t bits = 0;
@@ -235,8 +235,10 @@ private:
                                     slab(rows.far_y(), inverse_[1], far_offset_[1])),
                             hn::Min(slab(rows.far_z(), inverse_[2], far_offset_[2]), narrow_splat(end_[ray])));
                 const auto enters = hn::Le(begin, stop);
-                NarrowFloats &least = first_begin[c / narrow_lanes];
-                least = hn::Min(least, hn::IfThenElse(enters, begin, least));
+                if constexpr (!any_hit) { // which else are as good in any order
+                    NarrowFloats &least = first_begin[c / narrow_lanes];
+                    least = hn::Min(least, hn::IfThenElse(enters, begin, least));
+                }
                 bits |= bits_of(narrow_floats, enters) << c;
             }
             entered[i] = bits;
