@@ -54,6 +54,7 @@ enum Kind : uint32_t {
     camera,       // one origin, a window
     targets,      // one origin, vertices and edges of neighbouring triangles
     shadows,      // from a light to points of the mesh
+    leaving,      // from points of neighbouring triangles, or a little off them
     mirrored,     // origins side by side, directions that fan out
     orthographic, // origins side by side, one direction
     star,         // one origin, all ways
@@ -140,6 +141,16 @@ std::vector<Ray> BatchSet::rays(Random &random, uint32_t kind, uint32_t number, 
             made.push_back({origin, kind == targets ? sized(dir) : dir});
         }
         break;
+    case leaving: {
+        const float off = reach_ * between_magnitudes(random, 1e-9f, 1e-2f);
+        const bool all_ways = random.below(2) != 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            const Point from = special_point(random, first_triangle + random.below(40));
+            const Vector dir = all_ways ? random.direction() : axis + random.direction() * (0.5f * width);
+            made.push_back({from + random.direction() * off, sized(dir)});
+        }
+        break;
+    }
     case mirrored: {
         const float spread = reach_ * between_magnitudes(random, 1e-5f, 1.0f);
         const float fan = random.below(3) == 0 ? -width : width;
