@@ -47,31 +47,34 @@ public:
         const Box &box = question_.geometry.bounds;
         Uints some = hn::Zero(uints), every = hn::Set(uints, 7);
         Floats most_dir = hn::Zero(floats);
+        const auto reach_from = [&](const Points &org) {
+            const Points to_lo = {splat(box.lo.x) - org.x, splat(box.lo.y) - org.y, splat(box.lo.z) - org.z};
+            const Points to_hi = {splat(box.hi.x) - org.x, splat(box.hi.y) - org.y, splat(box.hi.z) - org.z};
+            return hn::Max(max_abs(to_lo), max_abs(to_hi));
+        };
+        if constexpr (shares_origin) {
+            const float slack = slack_of_extent * hn::GetLane(reach_from(splat(rays_.shared_origin)));
+            for (int axis = 0; axis < 3; ++axis) {
+                widening_[axis] = slack + 0x1p-21f * magnitude(coordinate(rays_.shared_origin, axis));
+            }
+        }
         for_each_vector(selection_, [&](uint32_t ray, uint32_t lane_bits) {
             const FloatMask lanes = mask_of(lane_bits);
             const Points dir = rays_.dir(ray);
-            const Points org = shares_origin ? splat(rays_.shared_origin) : rays_.org(ray);
-            const Points to_lo = {splat(box.lo.x) - org.x, splat(box.lo.y) - org.y, splat(box.lo.z) - org.z};
-            const Points to_hi = {splat(box.hi.x) - org.x, splat(box.hi.y) - org.y, splat(box.hi.z) - org.z};
-            const Floats largest = max_abs(dir), reach = hn::Max(max_abs(to_lo), max_abs(to_hi));
+            const Floats largest = max_abs(dir);
             most_dir = hn::Max(most_dir, hn::IfThenElseZero(lanes, largest));
             // Distances through boxes are counted in units of the direction's power of two: without that a very short
             // direction's inverse, times the origin, might not be finite.
             const Uints exponent =
                 hn::Max(hn::And(hn::BitCast(uints, largest), hn::Set(uints, 0x7f800000u)), hn::Set(uints, 0x00800000u));
             const Floats unit = hn::BitCast(floats, exponent), by_unit = splat(1.0f) / unit;
-            const Floats slack = splat(slack_of_extent) * reach, tiny = splat(1e-15f) * (largest * by_unit);
+            const Floats tiny = splat(1e-15f) * (largest * by_unit);
             const Floats components[3] = {dir.x * by_unit, dir.y * by_unit, dir.z * by_unit};
-            const Floats origins[3] = {org.x, org.y, org.z};
             Uints octant = hn::Zero(uints);
             for (uint32_t axis = 0; axis < 3; ++axis) {
                 const Floats d = hn::IfThenElse(hn::Lt(hn::Abs(components[axis]), tiny),
                                                 hn::CopySign(tiny, components[axis]), components[axis]);
-                const Floats inverse = splat(1.0f) / d, at_origin = origins[axis] * inverse;
-                const Floats widening = slack * hn::Abs(inverse) + splat(0x1p-21f) * hn::Abs(at_origin);
-                hn::Store(inverse, floats, inverse_[axis] + ray);
-                hn::Store(at_origin + widening, floats, near_offset_[axis] + ray);
-                hn::Store(at_origin - widening, floats, far_offset_[axis] + ray);
+                hn::Store(splat(1.0f) / d, floats, inverse_[axis] + ray);
                 octant = octant + hn::ShiftLeftSame(hn::ShiftRight<31>(hn::BitCast(uints, d)), static_cast<int>(axis));
             }
             const Floats t = hn::Load(floats, rays_.t + ray);
@@ -80,6 +83,14 @@ public:
             hn::Store(octant, uints, octant_ + ray);
             hn::Store(largest, floats, ray_dir_reach_ + ray);
             if constexpr (!shares_origin) {
+                const Points org = rays_.org(ray);
+                const Floats origins[3] = {org.x, org.y, org.z}, slack = splat(slack_of_extent) * reach_from(org);
+                for (uint32_t axis = 0; axis < 3; ++axis) {
+                    const Floats inverse = hn::Load(floats, inverse_[axis] + ray), at_origin = origins[axis] * inverse;
+                    const Floats widening = slack * hn::Abs(inverse) + splat(0x1p-21f) * hn::Abs(at_origin);
+                    hn::Store(at_origin + widening, floats, near_offset_[axis] + ray);
+                    hn::Store(at_origin - widening, floats, far_offset_[axis] + ray);
+                }
                 // As leaf_ray() has it. Not by the inverse, which is not exact where a direction is very long.
                 const Floats along[3] = {hn::Abs(dir.x), hn::Abs(dir.y), hn::Abs(dir.z)};
                 const FloatMask by_x = hn::And(hn::Ge(along[0], along[1]), hn::Ge(along[0], along[2]));
@@ -108,30 +119,32 @@ public:
         return in_some & ~in_every;
     }
 
-    /// Appends the selected rays of a block that enter a node's child; returns how many. Up to a vector more is
-    /// written.
+    /// Appends the selected rays of a block, from one point, that enter a node's child; returns how many. Up to a
+    /// vector more is written.
     HWY_INLINE uint32_t enter(uint32_t block, const WideNode &node, uint32_t child, uint32_t *to) {
         const uint32_t first_ray = block * block_size,
                        octant = octant_[first_ray + lowest_bit(selection_.blocks[block])];
-        const auto bound = [&](uint32_t axis, bool far) {
+        const OctantOrigin origin(*this, octant);
+        const auto plane = [&](uint32_t axis, bool far) {
             const bool highest = ((octant >> axis & 1) != 0) != far;
-            return splat(node.bounds[axis + (highest ? WideNode::highest : WideNode::lowest)][child]);
+            return splat(node.bounds[axis + (highest ? WideNode::highest : WideNode::lowest)][child] -
+                         (far ? origin.far : origin.near)[axis]);
         };
+        const Floats near[3] = {plane(0, false), plane(1, false), plane(2, false)};
+        const Floats far[3] = {plane(0, true), plane(1, true), plane(2, true)};
         uint32_t count = 0;
         for (uint32_t part = 0; part < block_size; part += lane_count) {
             const uint32_t ray = first_ray + part;
-            const auto slab = [&](uint32_t axis, bool far) {
-                return hn::MulSub(bound(axis, far), hn::Load(floats, inverse_[axis] + ray),
-                                  hn::Load(floats, (far ? far_offset_ : near_offset_)[axis] + ray));
-            };
+            const Floats x = hn::Load(floats, inverse_[0] + ray), y = hn::Load(floats, inverse_[1] + ray),
+                         z = hn::Load(floats, inverse_[2] + ray);
             Floats end = hn::Load(floats, end_ + ray);
             if constexpr (!any_hit) { // something nearer may have been found
                 const Floats t = hn::Load(floats, rays_.t + ray);
                 end = (t + splat(distance_error) * t) * hn::Load(floats, unit_ + ray);
                 hn::Store(end, floats, end_ + ray);
             }
-            const Floats begin = hn::Max(max3(slab(0, false), slab(1, false), slab(2, false)), hn::Zero(floats));
-            const Floats stop = hn::Min(min3(slab(0, true), slab(1, true), slab(2, true)), end);
+            const Floats begin = hn::Max(max3(near[0] * x, near[1] * y, near[2] * z), hn::Zero(floats));
+            const Floats stop = hn::Min(min3(far[0] * x, far[1] * y, far[2] * z), end);
             const uint32_t lanes = bits_of(hn::Le(begin, stop)) & selection_.lanes(ray);
             count += put_chosen(hn::Iota(uints, ray), lanes, to + count);
         }
@@ -165,6 +178,21 @@ public:
     [[nodiscard]] HWY_INLINE uint32_t hits() const { return hits_; }
 
 private:
+    /// The shared origin moved by what is lost in rounding, so that rays of an octant meet planes in time: before what
+    /// is near, behind what is far.
+    struct OctantOrigin {
+        float near[3], far[3];
+
+        HWY_INLINE OctantOrigin(const StreamTrace &trace, uint32_t octant) {
+            for (uint32_t axis = 0; axis < 3; ++axis) {
+                const float at = coordinate(trace.rays_.shared_origin, static_cast<int>(axis));
+                const float by = (octant >> axis & 1) != 0 ? -trace.widening_[axis] : trace.widening_[axis];
+                near[axis] = at + by;
+                far[axis] = at - by;
+            }
+        }
+    };
+
     struct Pending {
         uint32_t link;
         uint16_t first, count; ///< its rays in ids_
@@ -212,7 +240,22 @@ private:
             }
         }
         const float *const bounds = node.bounds[0];
+        const float *const near_bound[3] = {bounds + rows.near_x, bounds + rows.near_y, bounds + rows.near_z};
+        const float *const far_bound[3] = {bounds + rows.far_x(), bounds + rows.far_y(), bounds + rows.far_z()};
         uint32_t *const ids = ids_ + now.first;
+        // Of rays from one point: from where they start to the planes.
+        NarrowFloats near_plane[3][WideNode::width / narrow_lanes], far_plane[3][WideNode::width / narrow_lanes];
+        if constexpr (shares_origin) {
+            const OctantOrigin origin(*this, octant_[ids[0]]);
+            for (uint32_t axis = 0; axis < 3; ++axis) {
+                for (uint32_t c = 0; c < WideNode::width; c += narrow_lanes) {
+                    near_plane[axis][c / narrow_lanes] =
+                        hn::Load(narrow_floats, near_bound[axis] + c) - narrow_splat(origin.near[axis]);
+                    far_plane[axis][c / narrow_lanes] =
+                        hn::Load(narrow_floats, far_bound[axis] + c) - narrow_splat(origin.far[axis]);
+                }
+            }
+        }
         alignas(64) uint32_t entered[group_size + lane_count];
         uint32_t any = 0, all = ~0u;
         alignas(32) float begins[WideNode::width]; // the least of all rays
@@ -222,18 +265,21 @@ private:
             const uint32_t ray = ids[i];
             uint32_t bits = 0;
             for (uint32_t c = 0; c < WideNode::width; c += narrow_lanes) {
-                const auto slab = [&](size_t row, const float *inverse, const float *offset) {
-                    return hn::MulSub(hn::Load(narrow_floats, bounds + row + c), narrow_splat(inverse[ray]),
-                                      narrow_splat(offset[ray]));
-                };
-                const auto begin =
-                    hn::Max(hn::Max(slab(rows.near_x, inverse_[0], near_offset_[0]),
-                                    slab(rows.near_y, inverse_[1], near_offset_[1])),
-                            hn::Max(slab(rows.near_z, inverse_[2], near_offset_[2]), hn::Zero(narrow_floats)));
-                const auto stop =
-                    hn::Min(hn::Min(slab(rows.far_x(), inverse_[0], far_offset_[0]),
-                                    slab(rows.far_y(), inverse_[1], far_offset_[1])),
-                            hn::Min(slab(rows.far_z(), inverse_[2], far_offset_[2]), narrow_splat(end_[ray])));
+                NarrowFloats near[3], far[3];
+                for (uint32_t axis = 0; axis < 3; ++axis) {
+                    const auto inverse = narrow_splat(inverse_[axis][ray]);
+                    if constexpr (shares_origin) {
+                        near[axis] = near_plane[axis][c / narrow_lanes] * inverse;
+                        far[axis] = far_plane[axis][c / narrow_lanes] * inverse;
+                    } else {
+                        near[axis] = hn::MulSub(hn::Load(narrow_floats, near_bound[axis] + c), inverse,
+                                                narrow_splat(near_offset_[axis][ray]));
+                        far[axis] = hn::MulSub(hn::Load(narrow_floats, far_bound[axis] + c), inverse,
+                                               narrow_splat(far_offset_[axis][ray]));
+                    }
+                }
+                const auto begin = hn::Max(hn::Max(near[0], near[1]), hn::Max(near[2], hn::Zero(narrow_floats)));
+                const auto stop = hn::Min(hn::Min(far[0], far[1]), hn::Min(far[2], narrow_splat(end_[ray])));
                 const auto enters = hn::Le(begin, stop);
                 if constexpr (!any_hit) { // which else are as good in any order
                     NarrowFloats &least = first_begin[c / narrow_lanes];
@@ -350,12 +396,25 @@ private:
         }
     }
 
+    HWY_INLINE WideSlabs slabs_of(uint32_t ray) const {
+        const Point3 inverse = {inverse_[0][ray], inverse_[1][ray], inverse_[2][ray]};
+        if constexpr (shares_origin) {
+            const OctantOrigin origin(*this, octant_[ray]);
+            const auto offset = [&](const float(&at)[3]) {
+                return Point3{at[0] * inverse.x, at[1] * inverse.y, at[2] * inverse.z};
+            };
+            return {inverse, offset(origin.near), offset(origin.far)};
+        } else {
+            return {inverse,
+                    {near_offset_[0][ray], near_offset_[1][ray], near_offset_[2][ray]},
+                    {far_offset_[0][ray], far_offset_[1][ray], far_offset_[2][ray]}};
+        }
+    }
+
     /// One ray through all that a link leads to.
     HWY_NOINLINE void finish(const WideRows &rows, uint32_t ray, ChildLink link) {
         if (any_hit && end_[ray] < 0.0f) return;
-        const WideSlabs slabs({inverse_[0][ray], inverse_[1][ray], inverse_[2][ray]},
-                              {near_offset_[0][ray], near_offset_[1][ray], near_offset_[2][ray]},
-                              {far_offset_[0][ray], far_offset_[1][ray], far_offset_[2][ray]});
+        const WideSlabs slabs = slabs_of(ray);
         float t = rays_.t[ray];
         uint32_t id = rays_.triangle_id[ray];
         if (walk_wide<any_hit>(question_, slabs, rows, link, unit_[ray], leaf_ray(ray), t, id)) take(ray, t, id);
@@ -368,13 +427,14 @@ private:
     float dir_reach_ = 0.0f;
     uint32_t hits_ = 0;
     alignas(64) float inverse_[3][group_size];
-    alignas(64) float near_offset_[3][group_size];
-    alignas(64) float far_offset_[3][group_size];
     alignas(64) float end_[group_size];  ///< how far a ray looks, in its unit; -1 where it is done
     alignas(64) float unit_[group_size]; ///< of distances through boxes
     alignas(64) uint32_t octant_[group_size];
     alignas(64) float ray_dir_reach_[group_size];
-    // Of LeafRay, but not where rays share an origin.
+    float widening_[3]; ///< of boxes, where rays share an origin: what rounding may lose
+    // Where they do not.
+    alignas(64) float near_offset_[3][group_size]; ///< as WideSlabs has them
+    alignas(64) float far_offset_[3][group_size];
     alignas(64) uint32_t most_along_[group_size]; ///< LeafRay::z
     alignas(64) float slope_x_[group_size], slope_y_[group_size];
     alignas(64) uint32_t ids_[arena_size + 32];
