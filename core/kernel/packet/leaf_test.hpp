@@ -141,6 +141,10 @@ HWY_INLINE NarrowFloats sign_of(NarrowFloats x) {
     return hn::And(x, narrow_splat(-0.0f));
 }
 
+HWY_INLINE NarrowFloats abs_max(NarrowFloats x, NarrowFloats y, NarrowFloats z) {
+    return hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
+}
+
 /// A leaf's triangles in a ray's own space.
 class LeafInRaySpace {
 public:
