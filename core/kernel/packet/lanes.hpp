@@ -112,7 +112,8 @@ HWY_INLINE uint32_t put_chosen(Uints numbers, uint32_t bits, uint32_t *to) {
 #elif HWY_TARGET == HWY_AVX2
     static constexpr ChosenRows<8, 1> chosen;
     const auto order = hn::PromoteTo(uints, hn::Load(hn::Rebind<uint8_t, UintTag>(), chosen.rows[bits]));
-    hn::StoreU(hn::TableLookupLanes(numbers, hn::IndicesFromVec(uints, order)), uints, to);
+    // What Highway has for it calls its abort() in builds with assertions.
+    hn::StoreU(Uints{_mm256_permutevar8x32_epi32(numbers.raw, order.raw)}, uints, to);
 #else
     static constexpr ChosenRows<4, 4> chosen;
     const hn::Repartition<uint8_t, UintTag> bytes;
