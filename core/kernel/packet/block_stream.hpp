@@ -120,17 +120,21 @@ private:
         const WideNode &node = question_.geometry.wide_nodes[number];
         alignas(32) float begins[WideNode::width];
         uint32_t reached = children_in_beam(beam_, node, begins);
-        const uint32_t small = small_children(node, begins), bottom = pending;
-        // Far children first, so that near ones are on top of the stack.
-        for (; reached != 0; reached &= reached - 1) {
-            const uint32_t child = lowest_bit(reached), reached_by = blocks_that_reach(node, child) & blocks;
-            if (reached_by == 0) continue;
-            uint32_t place = pending++;
-            for (; place > bottom && stack_[place - 1].begin < begins[child]; --place) {
-                stack_[place] = stack_[place - 1];
+        const uint32_t small = small_children(node, begins);
+        const auto push = [&](uint32_t child, uint32_t reached_by) {
+            stack_[pending] = {begins[child], node.child[child], static_cast<uint16_t>(reached_by),
+                               (small >> child & 1) != 0, number * WideNode::width + child};
+            pending += reached_by != 0 ? 1u : 0u; // nothing foretells whether a branch would be taken
+        };
+        if constexpr (any_hit) {
+            for (; reached != 0; reached &= reached - 1) {
+                const uint32_t child = lowest_bit(reached);
+                push(child, blocks_that_reach(node, child) & blocks);
             }
-            stack_[place] = {begins[child], node.child[child], static_cast<uint16_t>(reached_by),
-                             (small >> child & 1) != 0, number * WideNode::width + child};
+        } else {
+            uint32_t order[WideNode::width];
+            const uint32_t count = far_first(begins, reached, order);
+            for (uint32_t i = 0; i < count; ++i) push(order[i], blocks_that_reach(node, order[i]) & blocks);
         }
         return pending;
     }
@@ -233,7 +237,7 @@ private:
     StreamTrace<true, any_hit> streams_;
     bool streams_ready_ = false;
     float block_area_ = 0.0f; ///< a block's mean area across the beam, at depth 1
-    Pending stack_[most_pending];
+    Pending stack_[most_pending + 1]; // one that turns out not to wait is written too
 };
 
 } // namespace glint::HWY_NAMESPACE

@@ -59,14 +59,13 @@ public:
         const auto det = fused_dot(nx_, ny_, nz_, dx, dy, dz), u = fused_dot(e2x_, e2y_, e2z_, qx, qy, qz),
                    minus_v = fused_dot(e1x_, e1y_, e1z_, qx, qy, qz);
         const LeafVerdict verdict(u, hn::Neg(minus_v), (det - u) + minus_v, margin);
-        uint32_t possible = valid() & ~verdict.outside() & ~passes;
-        if (possible == 0) return false;
         // Most often that is the triangle that the ray comes from, a little behind it.
         const auto height = fused_dot(nx_, ny_, nz_, sx, sy, sz), least = narrow_splat(least_margin);
         const auto way_back = hn::Xor(height, sign_of(det));
         const auto is_behind = hn::Gt(way_back, hn::MulAdd(plane_error_, s, least));
         const auto crosses = hn::Gt(hn::Abs(det), hn::MulAdd(plane_error_, narrow_splat(dir_reach), least));
-        possible &= ~bits_of(narrow_floats, hn::And(is_behind, crosses));
+        const uint32_t possible =
+            valid() & ~verdict.outside() & ~passes & ~bits_of(narrow_floats, hn::And(is_behind, crosses));
         if (possible == 0) return false;
         return settle<any_hit>(possible, verdict.certain(), org, dir, left, best_t, best_id,
                                [&](uint32_t lane) { return distance(lane, org, dir); });

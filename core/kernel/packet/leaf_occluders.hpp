@@ -38,15 +38,13 @@ public:
         const auto det = fused_dot(n_[0], n_[1], n_[2], dx, dy, dz);
         const auto u = fused_dot(u_[0], u_[1], u_[2], dx, dy, dz), v = fused_dot(v_[0], v_[1], v_[2], dx, dy, dz);
         const LeafVerdict verdict(u, v, (det - u) - v, margin_);
-        uint32_t possible = blocking_ & ~verdict.outside();
-        if (possible == 0) return false;
         const auto end = narrow_splat(t_max), at_end = end * hn::Abs(det);
         const auto offset = hn::Xor(offset_, sign_of(det)), beyond = offset - at_end;
         const auto room =
             hn::MulAdd(at_end, narrow_splat(2.0f * distance_error), hn::MulAdd(end, det_error_, offset_error_));
         const auto crosses = hn::Gt(hn::Abs(det), det_error_);
         const auto misses = hn::Or(hn::Lt(offset, hn::Neg(offset_error_)), hn::Gt(beyond, room));
-        possible &= ~bits_of(narrow_floats, hn::And(crosses, misses));
+        const uint32_t possible = blocking_ & ~verdict.outside() & ~bits_of(narrow_floats, hn::And(crosses, misses));
         if (possible == 0) return false;
         const auto meets = hn::And(hn::Gt(offset, offset_error_), hn::Lt(beyond, hn::Neg(room)));
         const uint32_t blocks = bits_of(narrow_floats, hn::And(crosses, meets)) & verdict.certain() & possible;

@@ -97,6 +97,7 @@ struct LeafRay {
     uint32_t left;          ///< the triangle that is passed
     uint32_t z;             ///< an axis of the world's; x and y are the others in their order
     float slope_x, slope_y; ///< how far it goes along x and y for one step along z
+    float along;            ///< z of its direction
 
     static constexpr float error = 28 * 0x1p-24f; ///< times m (f + 2 m)
 
@@ -112,6 +113,7 @@ HWY_INLINE LeafRay leaf_ray(const Point3 &org, const Point3 &dir, uint32_t left)
     const float along_x = magnitude(dir.x), along_y = magnitude(dir.y), along_z = magnitude(dir.z);
     ray.z = along_x >= along_y && along_x >= along_z ? 0 : along_y >= along_z ? 1 : 2;
     const float components[3] = {dir.x, dir.y, dir.z};
+    ray.along = components[ray.z];
     ray.slope_x = components[ray.x()] / components[ray.z];
     ray.slope_y = components[ray.y()] / components[ray.z];
     return ray;
@@ -149,10 +151,7 @@ HWY_INLINE NarrowFloats abs_max(NarrowFloats x, NarrowFloats y, NarrowFloats z) 
 class LeafInRaySpace {
 public:
     HWY_INLINE LeafInRaySpace(const LeafLanes &leaf, const LeafRay &ray)
-        : z_(seen(leaf, ray, ray.z)),
-          along_(ray.z == 0   ? ray.dir.x
-                 : ray.z == 1 ? ray.dir.y
-                              : ray.dir.z) {
+        : z_(seen(leaf, ray, ray.z)), along_(ray.along) {
         const auto sheared = [&](uint32_t axis, float slope) {
             const LeafLanes::Corners corners = seen(leaf, ray, axis);
             const auto by = narrow_splat(slope);

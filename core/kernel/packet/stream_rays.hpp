@@ -173,7 +173,9 @@ public:
     [[nodiscard]] HWY_INLINE LeafRay leaf_ray(uint32_t ray) const {
         // Few rays from one point come so far alone.
         if constexpr (shares_origin) return HWY_NAMESPACE::leaf_ray(rays_.shared_origin, dir(ray), rays_.left[ray]);
-        return {org(ray), dir(ray), rays_.left[ray], most_along_[ray], slope_x_[ray], slope_y_[ray]};
+        const uint32_t z = most_along_[ray];
+        const float *const along[3] = {rays_.dir_x, rays_.dir_y, rays_.dir_z};
+        return {org(ray), dir(ray), rays_.left[ray], z, slope_x_[ray], slope_y_[ray], along[z][ray]};
     }
 
     /// A node as rays of an octant meet it.

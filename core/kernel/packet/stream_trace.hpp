@@ -27,7 +27,7 @@ public:
     /// Traces the selected rays. Those that are hit are deselected where any hit will do.
     HWY_NOINLINE void run() {
         const bool one_octant = prepare() == 0;
-        uint32_t sorted[group_size];
+        uint32_t sorted[group_size + lane_count];
         uint32_t starts[9] = {};
         if (one_octant) {
             for_each_ray(selection_, [&](uint32_t ray) { sorted[starts[0]++] = ray; });
@@ -49,12 +49,12 @@ public:
     HWY_INLINE uint32_t enter(uint32_t block, const WideNode &node, uint32_t child, uint32_t *to) {
         return prepared_.template enter<any_hit>(selection_, block, node, child, to);
     }
-    /// Rays of one octant through all that a link leads to.
+    /// Rays of one octant through all that a link leads to. Up to a vector more is read.
     HWY_NOINLINE void walk(ChildLink root, const uint32_t *sorted, uint32_t count) {
         const WideRows rows(prepared_.octant(sorted[0]));
         Pending stack[most_lists];
         uint32_t pending = 0;
-        for (uint32_t i = 0; i < count; ++i) ids_[i] = sorted[i];
+        for (uint32_t i = 0; i < count; i += lane_count) hn::StoreU(hn::LoadU(uints, sorted + i), uints, ids_ + i);
         stack[pending++] = {root.word(), 0, static_cast<uint16_t>(count), 0.0f, hits_};
         while (pending > 0) {
             Pending now = stack[--pending];
@@ -126,7 +126,7 @@ private:
         uint32_t *const ids = ids_ + now.first;
         const typename StreamRays<shares_origin>::Node seen(prepared_, node, rows, prepared_.octant(ids[0]));
         alignas(64) uint32_t entered[group_size + lane_count];
-        uint32_t any = 0, all = ~0u;
+        uint32_t any = 0;
         alignas(32) float begins[WideNode::width]; // the least of all rays
         NarrowFloats first_begin[WideNode::width / narrow_lanes];
         for (NarrowFloats &b : first_begin) b = narrow_splat(any_hit ? 0.0f : __builtin_inff());
@@ -143,34 +143,20 @@ private:
             }
             entered[i] = bits;
             any |= bits;
-            all &= bits;
         }
         if (any == 0) return pending;
         for (uint32_t c = 0; c < WideNode::width; c += narrow_lanes) {
             hn::Store(first_begin[c / narrow_lanes], narrow_floats, begins + c);
         }
 
-        // Far children first, so that near ones are on top of the stack.
-        uint32_t order[WideNode::width], used = 0;
-        for (; any != 0; any &= any - 1) {
-            const uint32_t c = lowest_bit(any);
-            uint32_t place = used++;
-            for (; place > 0 && begins[order[place - 1]] < begins[c]; --place) order[place] = order[place - 1];
-            order[place] = c;
-        }
+        uint32_t order[WideNode::width];
+        const uint32_t used = far_first(begins, any, order);
         prefetch(question_.geometry, ChildLink(node.child[order[used - 1]])); // is next
         // The last list takes the place of the one that was read.
         uint32_t first = now.first + uint32_t{now.count};
         for (uint32_t u = 0; u < used; ++u) {
             const uint32_t c = order[u];
-            uint32_t count = now.count;
-            if ((all >> c & 1) != 0) {
-                for (uint32_t i = 0; i < count; i += lane_count) {
-                    hn::StoreU(hn::LoadU(uints, ids + i), uints, ids_ + first + i);
-                }
-            } else {
-                count = pick(entered, 1u << c, ids, now.count, ids_ + first);
-            }
+            const uint32_t count = pick(entered, 1u << c, ids, now.count, ids_ + first);
             stack[pending++] = {node.child[c], static_cast<uint16_t>(first), static_cast<uint16_t>(count), begins[c],
                                 hits_};
             first += count;

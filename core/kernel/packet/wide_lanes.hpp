@@ -10,12 +10,38 @@ namespace glint::HWY_NAMESPACE {
 
 /// Asks for what a link leads to, before it is visited.
 HWY_INLINE void prefetch(const GeometryView &geometry, ChildLink link) {
-    const char *at =
-        link.is_leaf()
-            ? reinterpret_cast<const char *>(geometry.leaf_words + words_per_reference * size_t{link.number()})
-            : reinterpret_cast<const char *>(geometry.wide_nodes + link.number());
-    const int lines = link.is_leaf() ? 6 : 4; // as many as a leaf of eight triangles has, and a node
+    // Without a branch, which nothing foretells.
+    const char *const bases[2] = {reinterpret_cast<const char *>(geometry.wide_nodes),
+                                  reinterpret_cast<const char *>(geometry.leaf_words)};
+    static constexpr size_t strides[2] = {sizeof(WideNode), words_per_reference * sizeof(uint32_t)};
+    const uint32_t is_leaf = link.is_leaf() ? 1 : 0;
+    const char *const at = bases[is_leaf] + strides[is_leaf] * link.number();
+    constexpr int lines = 6; // as many as a leaf of eight triangles has
     for (int line = 0; line < lines; ++line) __builtin_prefetch(at + 64 * line);
+}
+
+/// Puts the children whose bits are set in order, far ones first, so that near ones are on top of a stack; returns how
+/// many. `begins` are not negative.
+HWY_INLINE uint32_t far_first(const float *begins, uint32_t children, uint32_t *order) {
+    // Each finds its own place: how many are farther. Nothing foretells how comparisons of distances end, and so none
+    // decides a branch. The lowest bits, which hardly matter, make all of them different.
+    constexpr hn::RebindToSigned<NarrowTag> narrow_ints;
+    alignas(32) int32_t keys[WideNode::width];
+    for (uint32_t c = 0; c < WideNode::width; c += narrow_lanes) {
+        const auto begin = hn::BitCast(narrow_ints, hn::Load(narrow_floats, begins + c));
+        const auto number = hn::Iota(narrow_ints, static_cast<int32_t>(c));
+        hn::Store(hn::Or(hn::AndNot(hn::Set(narrow_ints, WideNode::width - 1), begin), number), narrow_ints, keys + c);
+    }
+    for (uint32_t rest = children; rest != 0; rest &= rest - 1) {
+        const uint32_t child = lowest_bit(rest);
+        uint32_t farther = 0;
+        for (uint32_t c = 0; c < WideNode::width; c += narrow_lanes) {
+            const auto others = hn::Load(narrow_ints, keys + c), own = hn::Set(narrow_ints, keys[child]);
+            farther |= bits_of(narrow_ints, hn::Gt(others, own)) << c;
+        }
+        order[__builtin_popcount(farther & children)] = child;
+    }
+    return static_cast<uint32_t>(__builtin_popcount(children));
 }
 
 /// Children that wait for their turn, the nearest on top.
