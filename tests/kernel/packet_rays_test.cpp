@@ -14,7 +14,7 @@ namespace {
 
 // glint_compare_rays goes on from here with as many rays as one likes.
 #ifdef GLINT_SANITIZED
-constexpr uint32_t batches_a_mesh = 9;
+constexpr uint32_t batches_a_mesh = 10;
 #else
 constexpr uint32_t batches_a_mesh = 270;
 #endif
