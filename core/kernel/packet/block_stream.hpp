@@ -236,8 +236,8 @@ private:
 
     StreamTrace<true, any_hit> streams_;
     bool streams_ready_ = false;
-    float block_area_ = 0.0f; ///< a block's mean area across the beam, at depth 1
-    Pending stack_[most_pending + 1]; // one that turns out not to wait is written too
+    float block_area_ = 0.0f;         ///< a block's mean area across the beam, at depth 1
+    Pending stack_[most_pending + 1]; ///< one that turns out not to wait is written too
 };
 
 } // namespace glint::HWY_NAMESPACE

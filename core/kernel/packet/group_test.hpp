@@ -105,8 +105,7 @@ protected:
         }
         const FloatMask hit = hn::And(hn::And(nearer, hn::Gt(t, hn::Zero(floats))), mask_of(lanes));
         const uint32_t hit_bits = bits_of(hit);
-        if (hit_bits == 0) return;
-        dirty_blocks_ |= 1u << (ray / block_size);
+        dirty_blocks_ |= (hit_bits != 0 ? 1u : 0u) << (ray / block_size);
         if constexpr (any_hit) {
             selection_.remove(ray, hit_bits);
         } else {
@@ -146,11 +145,9 @@ private:
     /// The rays of some blocks, which start anywhere.
     HWY_INLINE void test_blocks(const TriangleSetup &triangle, const ExactPlane &plane, uint32_t blocks) {
         const TriangleFromAnywhere test(triangle, beam_.dir_reach, reach_);
-        for (; blocks != 0; blocks &= blocks - 1) {
-            test_block(
-                triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
-                [&](uint32_t ray, uint32_t lanes) { return distances(triangle, plane, ray, lanes); });
-        }
+        test_vectors(
+            triangle, blocks, [&](uint32_t ray) { return test.filter(rays_.org(ray), rays_.dir(ray)); },
+            [&](uint32_t ray, uint32_t lanes) { return distances(triangle, plane, ray, lanes); });
     }
 
     HWY_INLINE void test_from_apex(const TriangleSetup &triangle, const ExactPlane &plane) {
@@ -167,15 +164,14 @@ private:
             return distances(triangle, plane, ray, lanes);
         };
         if (verdict == BeamVerdict::covered) {
-            for (uint32_t block = 0; block < block_count; ++block) hit_block(triangle, block, distances_of);
+            hit_vectors(triangle, distances_of);
             ++tested_;
             if (!any_hit) update_group_end();
             return;
         }
-        for (uint32_t blocks = blocks_entered_by(triangle); blocks != 0; blocks &= blocks - 1) {
-            test_block(
-                triangle, lowest_bit(blocks), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); }, distances_of);
-        }
+        test_vectors(
+            triangle, blocks_entered_by(triangle), [&](uint32_t ray) { return test.filter(rays_.dir(ray)); },
+            distances_of);
     }
 
     HWY_INLINE Floats distances(const TriangleSetup &triangle, const ExactPlane &plane, uint32_t ray,
@@ -184,7 +180,7 @@ private:
     }
 
     HWY_INLINE uint32_t blocks_entered_by(const TriangleSetup &triangle) {
-        if (++tested_ <= block_beams_after) return (1u << block_count) - 1;
+        if (++tested_ <= block_beams_after) return all_blocks;
         if (!has_block_beams_) make_block_beams();
         return blocks_.entered_by(beam_.axes, triangle.corners);
     }
@@ -217,32 +213,25 @@ private:
         return at_origin * side > margin && at_ends > margin;
     }
 
-    template <typename Filter, typename Distances>
-    HWY_INLINE void test_block(const TriangleSetup &triangle, uint32_t block, Filter &&filter, Distances &&distances) {
-        const uint32_t bits = selection_.blocks[block];
-        for (uint32_t part = 0; part < block_size; part += lane_count) {
-            const uint32_t lanes = (bits >> part) & all_lanes;
-            if (lanes == 0) continue;
-            const uint32_t ray = block * block_size + part;
+    template <typename Filter, typename Distances> HWY_INLINE void
+    test_vectors(const TriangleSetup &triangle, uint32_t blocks, Filter &&filter, Distances &&distances) {
+        for_each_vector(selection_, blocks, [&](uint32_t ray, uint32_t lanes) {
             const FilterResult result = filter(ray);
             const uint32_t possible = bits_of(result.possible) & lanes & ~lanes_that_left(triangle.id, ray);
-            if (possible == 0) continue;
+            if (possible == 0) return;
             const uint32_t certain = bits_of(result.certain) & possible;
             Floats t = distances(ray, certain);
             if (certain != possible) t = with_exact_distances(triangle, ray, possible & ~certain, t);
             take_nearer(triangle.id, ray, possible, t);
-        }
+        });
     }
 
-    /// As test_block() where the filter is known to be certain.
-    template <typename Distances>
-    HWY_INLINE void hit_block(const TriangleSetup &triangle, uint32_t block, Distances &&distances) {
-        const uint32_t bits = selection_.blocks[block];
-        for (uint32_t part = 0; part < block_size; part += lane_count) {
-            const uint32_t ray = block * block_size + part;
-            const uint32_t lanes = (bits >> part) & all_lanes & ~lanes_that_left(triangle.id, ray);
+    /// As test_vectors() of all blocks where the filter is known to be certain.
+    template <typename Distances> HWY_INLINE void hit_vectors(const TriangleSetup &triangle, Distances &&distances) {
+        for_each_vector(selection_, [&](uint32_t ray, uint32_t selected) {
+            const uint32_t lanes = selected & ~lanes_that_left(triangle.id, ray);
             if (lanes != 0) take_nearer(triangle.id, ray, lanes, distances(ray, lanes));
-        }
+        });
     }
 
     /// Asks the definition for some of the lanes.

@@ -73,7 +73,7 @@ template <typename Tag> HWY_INLINE uint32_t bits_of(Tag tag, hn::Mask<Tag> mask)
 #else
     uint64_t bits = 0;
     hn::StoreMaskBits(tag, mask, reinterpret_cast<uint8_t *>(&bits));
-    return static_cast<uint32_t>(bits) & ((1u << hn::MaxLanes(tag)) - 1);
+    return static_cast<uint32_t>(bits) & (~0u >> (32 - hn::MaxLanes(tag)));
 #endif
 }
 HWY_INLINE uint32_t bits_of(FloatMask mask) {

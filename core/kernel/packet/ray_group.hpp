@@ -1,6 +1,8 @@
 // Up to 256 rays that are traced together, coordinate by coordinate.
 #pragma once
 
+#include <type_traits>
+
 #include "kernel/packet/lanes.hpp"
 
 namespace glint::HWY_NAMESPACE {
@@ -15,15 +17,22 @@ struct RaySelection {
     [[nodiscard]] HWY_INLINE uint32_t lanes(uint32_t first_ray) const {
         return (uint32_t{blocks[first_ray / block_size]} >> (first_ray % block_size)) & all_lanes;
     }
+    /// Four blocks as one number: bit r of the q-th stands for ray 64 q + r.
+    static constexpr uint32_t quad_count = block_count / 4;
+    [[nodiscard]] HWY_INLINE uint64_t quad(uint32_t number) const {
+        uint64_t bits;
+        __builtin_memcpy(&bits, blocks + 4 * number, sizeof(bits));
+        return bits;
+    }
     [[nodiscard]] HWY_INLINE bool empty() const {
-        uint32_t any = 0;
-        for (uint32_t b = 0; b < block_count; ++b) any |= blocks[b];
+        uint64_t any = 0;
+        for (uint32_t q = 0; q < quad_count; ++q) any |= quad(q);
         return any == 0;
     }
     [[nodiscard]] HWY_INLINE uint32_t count() const {
-        uint32_t count = 0;
-        for (uint32_t b = 0; b < block_count; ++b) count += static_cast<uint32_t>(__builtin_popcount(blocks[b]));
-        return count;
+        int count = 0;
+        for (uint32_t q = 0; q < quad_count; ++q) count += __builtin_popcountll(quad(q));
+        return static_cast<uint32_t>(count);
     }
     HWY_INLINE void clear() {
         for (uint32_t b = 0; b < block_count; ++b) blocks[b] = 0;
@@ -40,28 +49,66 @@ struct RaySelection {
 
 /// Which ray of a selection comes first.
 HWY_INLINE uint32_t first_ray_of(const RaySelection &selection) {
-    uint32_t block = 0;
-    while (selection.blocks[block] == 0) ++block;
-    return block * block_size + lowest_bit(selection.blocks[block]);
+    uint32_t q = 0;
+    while (selection.quad(q) == 0) ++q;
+    return q * 64 + static_cast<uint32_t>(__builtin_ctzll(selection.quad(q)));
 }
 
 /// Which comes last.
 HWY_INLINE uint32_t last_ray_of(const RaySelection &selection) {
-    uint32_t block = block_count - 1;
-    while (selection.blocks[block] == 0) --block;
-    return block * block_size + (31 - static_cast<uint32_t>(__builtin_clz(selection.blocks[block])));
+    uint32_t q = RaySelection::quad_count - 1;
+    while (selection.quad(q) == 0) --q;
+    return q * 64 + (63 - static_cast<uint32_t>(__builtin_clzll(selection.quad(q))));
 }
 
-/// Calls visit(first_ray, lane_bits) for every vector of rays of which any is selected.
-template <typename Visit> HWY_INLINE void for_each_vector(const RaySelection &selection, Visit &&visit) {
-    for (uint32_t block = 0; block < block_count; ++block) {
-        const uint32_t bits = selection.blocks[block];
-        if (bits == 0) continue;
-        for (uint32_t part = 0; part < block_size; part += lane_count) {
-            const uint32_t lane_bits = (bits >> part) & all_lanes;
-            if (lane_bits != 0) visit(block * block_size + part, lane_bits);
+/// Bit v for every vector of rays of which any is selected, where a vector's bits are whole bytes.
+HWY_INLINE uint32_t vectors_with_rays(const RaySelection &selection) {
+    using Bits = std::conditional_t<lane_count == 16, uint16_t, uint8_t>;
+    constexpr hn::CappedTag<Bits, 2 * block_count / sizeof(Bits)> bits;
+    constexpr uint32_t at_once = hn::MaxLanes(bits);
+    const auto *from = reinterpret_cast<const Bits *>(selection.blocks);
+    uint32_t vectors = 0;
+    for (uint32_t v = 0; v < group_size / lane_count; v += at_once) {
+        vectors |= bits_of(bits, hn::Ne(hn::LoadU(bits, from + v), hn::Zero(bits))) << v;
+    }
+    return vectors;
+}
+
+/// Bit v for every vector of rays in blocks whose bits are set.
+HWY_INLINE constexpr uint32_t vectors_of(uint32_t blocks) {
+    if constexpr (lane_count == block_size) return blocks;
+    uint32_t spread = blocks; // so that there is room for a second bit behind each
+    spread = (spread | spread << 8) & 0x00ff00ff;
+    spread = (spread | spread << 4) & 0x0f0f0f0f;
+    spread = (spread | spread << 2) & 0x33333333;
+    spread = (spread | spread << 1) & 0x55555555;
+    return spread | spread << 1;
+}
+
+inline constexpr uint32_t all_blocks = (1u << block_count) - 1;
+
+/// Calls visit(first_ray, lane_bits) for every vector of rays of which any is selected, in those blocks whose bits are
+/// set; it may deselect those rays.
+template <typename Visit>
+HWY_INLINE void for_each_vector(const RaySelection &selection, uint32_t blocks, Visit &&visit) {
+    if constexpr (lane_count >= 8) {
+        for (uint32_t rest = vectors_with_rays(selection) & vectors_of(blocks); rest != 0; rest &= rest - 1) {
+            const uint32_t first_ray = lowest_bit(rest) * lane_count;
+            visit(first_ray, selection.lanes(first_ray));
+        }
+    } else {
+        for (; blocks != 0; blocks &= blocks - 1) {
+            const uint32_t block = lowest_bit(blocks), bits = selection.blocks[block];
+            if (bits == 0) continue;
+            for (uint32_t part = 0; part < block_size; part += lane_count) {
+                const uint32_t lane_bits = (bits >> part) & all_lanes;
+                if (lane_bits != 0) visit(block * block_size + part, lane_bits);
+            }
         }
     }
+}
+template <typename Visit> HWY_INLINE void for_each_vector(const RaySelection &selection, Visit &&visit) {
+    for_each_vector(selection, all_blocks, visit);
 }
 
 /// Calls visit(ray) for every selected ray; it may deselect that ray.
@@ -90,10 +137,12 @@ struct alignas(64) RayGroup {
                 hn::Load(floats, dir_z + first_ray)};
     }
     [[nodiscard]] HWY_INLINE const float *org_row(int axis) const {
-        return axis == 0 ? org_x : axis == 1 ? org_y : org_z;
+        const float *const rows[3] = {org_x, org_y, org_z};
+        return rows[axis];
     }
     [[nodiscard]] HWY_INLINE const float *dir_row(int axis) const {
-        return axis == 0 ? dir_x : axis == 1 ? dir_y : dir_z;
+        const float *const rows[3] = {dir_x, dir_y, dir_z};
+        return rows[axis];
     }
     HWY_INLINE void set_org(uint32_t first_ray, const Points &p) {
         hn::Store(p.x, floats, org_x + first_ray);
@@ -114,7 +163,8 @@ struct alignas(64) RayGroup {
 };
 
 HWY_INLINE float coordinate(const Point3 &p, int axis) {
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+    const float coordinates[3] = {p.x, p.y, p.z};
+    return coordinates[axis];
 }
 
 } // namespace glint::HWY_NAMESPACE

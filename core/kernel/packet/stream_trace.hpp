@@ -10,7 +10,7 @@
 namespace glint::HWY_NAMESPACE {
 
 /// Fewer rays than this are not worth a list. Measured: see docs/performance.md.
-inline constexpr uint32_t fewest_in_stream = 5;
+inline constexpr uint32_t fewest_in_stream = 4;
 /// Fewer rays than this ask a node's children at once, not the beam around all rays first.
 inline constexpr uint32_t fewest_to_ask_beam = 16;
 /// Fewer rays than this are not worth working out what a leaf's triangles have for all rays.
@@ -49,6 +49,7 @@ public:
     HWY_INLINE uint32_t enter(uint32_t block, const WideNode &node, uint32_t child, uint32_t *to) {
         return prepared_.template enter<any_hit>(selection_, block, node, child, to);
     }
+
     /// Rays of one octant through all that a link leads to. Up to a vector more is read.
     HWY_NOINLINE void walk(ChildLink root, const uint32_t *sorted, uint32_t count) {
         const WideRows rows(prepared_.octant(sorted[0]));
@@ -232,8 +233,9 @@ private:
         float t = rays_.t[ray];
         uint32_t id = rays_.triangle_id[ray];
         if (walk_wide<any_hit>(question_, prepared_.slabs(ray), rows, link, prepared_.unit(ray),
-                               prepared_.leaf_ray(ray), t, id))
+                               prepared_.leaf_ray(ray), t, id)) {
             take(ray, t, id);
+        }
     }
 
     const TraceQuestion &question_;
